@@ -299,9 +299,12 @@ export class Lab {
     if ((await this.page.locator("#menu").getAttribute("aria-expanded")) === "false") await this.page.locator("#menu").click();
   }
 
+  /** Presses a button of the menu. A language is there when its texts are. */
   async pressInMenu(name) {
     await this.openMenu();
     await this.press(name);
+    const [, language] = /^([A-Z]{2}) – /.exec(name) ?? [];
+    if (language) await this.page.locator(`html[lang=${language.toLowerCase()}]`).waitFor();
   }
 
   /** Shows all plots. */

@@ -6,6 +6,7 @@ mod editor;
 mod golden;
 mod page;
 mod steps;
+mod texts;
 mod tools;
 mod wasm;
 mod weight;
@@ -17,6 +18,7 @@ const HELP: &str = "\
 cargo xtask lab     build the page and open the laboratory in the browser; `lab DOC` builds the program, too, and serves DOC
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers
+cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens
 ";
 
@@ -37,6 +39,7 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["lab", document @ ..] => lab(document),
         ["page"] => steps::step("the page", page::build).map(|page| println!("{}", page.display())),
         ["test"] => checks::all(),
+        ["texts"] => texts::update(&steps::root()),
         ["bench"] => bench::all(),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

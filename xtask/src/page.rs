@@ -15,6 +15,7 @@ use program::{Program, bundle};
 use std::io::Write as _;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
+use units::{Catalogue, Language};
 
 /// Document with which the laboratory opens.
 const FIRST: &str = "tube.md";
@@ -97,6 +98,8 @@ struct Bound {
     glue: String,
     /// The module, gzipped.
     packed: Vec<u8>,
+    /// Its texts in each language but English: packed catalogues, gzipped.
+    texts: Vec<(Language, Vec<u8>)>,
 }
 
 /// Builds the pages and returns the path of the laboratory.
@@ -127,7 +130,26 @@ fn bound(kind: &Kind, module: &Path) -> Result<Bound> {
     let module = directory.join(format!("{}_bg.wasm", kind.package));
     let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
     let packed = pack(zopfli::Format::Gzip, &module)?;
-    Ok(Bound { glue, packed })
+    Ok(Bound { glue, packed, texts: texts(&module)? })
+}
+
+/// The texts of a module in each language but English: of those catalogue entries whose English text the module contains.
+fn texts(module: &[u8]) -> Result<Vec<(Language, Vec<u8>)>> {
+    let module = String::from_utf8_lossy(module);
+    let mut all = Vec::new();
+    for language in Language::ALL.into_iter().filter(|language| *language != Language::English) {
+        let texts = catalogues::texts(language);
+        let own = texts.iter().filter(|(english, _)| module.contains(english.as_str()));
+        let packed = Catalogue::pack(own.map(|(english, text)| (english.as_str(), text.as_str())));
+        let packed = packed.map_err(|same| anyhow!("{same:?} have the same hash: reword one of them"))?;
+        all.push((language, pack(zopfli::Format::Gzip, &packed)?));
+    }
+    Ok(all)
+}
+
+/// Elements with texts. `tag`: beginning of the opening tag.
+fn text_elements(tag: &str, texts: &[(Language, Vec<u8>)]) -> String {
+    texts.iter().map(|(language, packed)| format!("{tag}{}\">{}</script>", language.tag(), encoded(packed))).collect()
 }
 
 /// Compresses a part of the page with zopfli. The browser inflates it.
@@ -161,6 +183,7 @@ fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
         ("<!--glue-->", script(&player.glue)),
         ("<!--module-->", format!("{}{}</script>", page::MODULE, encoded(&player.packed))),
         ("<!--boot-->", script(&boot)),
+        ("<!--texts-->", text_elements(page::TEXTS, &player.texts) + &script("textsArrived();")),
         (LATER, later.to_owned()),
     ] {
         if html.matches(marker).count() != 1 {
@@ -187,9 +210,10 @@ fn style(name: &str, sheets: &[&str]) -> Result<String> {
 
 /// Inserts what follows the player in the laboratory, and the simulation with which it opens.
 fn with_laboratory(page: &str, laboratory: &Bound, player: &str) -> Result<String> {
-    let template = page::without_module(player).context("the player has no module")?;
+    let template = page::without_parts(player).context("the player has no module")?;
     let library = library()?;
-    let mut later = format!("{}{}</script>", page::LABORATORY, encoded(&laboratory.packed));
+    let mut later = text_elements(page::LABORATORY_TEXTS, &laboratory.texts);
+    later += &format!("{}{}</script>", page::LABORATORY, encoded(&laboratory.packed));
     later += &format!("<style>\n{}</style>", style("later", &LATER_STYLES)?);
     let library_of_page = format!("{}{}</script>", page::LIBRARY, page::write_list(&library));
     for (tag, text) in [(page::GLUE, &laboratory.glue), (page::EDITOR, &editor::bundle()?), (page::PLAYER, &template)] {
@@ -217,9 +241,9 @@ fn first(library: &[Source]) -> Result<(String, Program)> {
     Ok((home.name.clone(), document.program))
 }
 
-/// Start of a page that a browser must receive before the first picture.
+/// Start of a page that a browser must receive before the first picture in English. In another language, its texts follow.
 pub fn before_picture(page: &str) -> &str {
-    page.split_once(page::LABORATORY).map_or(page, |(first, _)| first)
+    page.split_once(page::TEXTS).map_or(page, |(first, _)| first)
 }
 
 /// Prints the elements of a page with what a visitor receives before the first picture and in all.

@@ -8,7 +8,7 @@ use crate::stencil::Stencil;
 use crate::tracker::Remark;
 use crate::{data_sets, roles};
 pub use heading::{Certainty, Heading};
-use units::Language::{self, Spanish};
+use units::{Language, say};
 pub(crate) use words::readings;
 use words::{backwards, called, clock, decimal, missing, reading, rounded_step, runs, separator, word};
 
@@ -175,180 +175,118 @@ pub enum Finding {
 impl Finding {
     /// Finding as one or two sentences in English or Spanish.
     pub fn text(&self, language: Language) -> String {
-        let say = |english: String, other: String| if language == Spanish { other } else { english };
         match self {
-            Self::Sheet(name) => say(
-                format!("the workbook has several sheets; the first with a table was read: `{name}`"),
-                format!("el libro tiene varias hojas; se leyó la primera con una tabla: «{name}»"),
-            ),
+            Self::Sheet(name) => {
+                say!(language, "the workbook has several sheets; the first with a table was read: `{name}`")
+            }
             Self::Project(remark) => remark.text(language),
             Self::DataSets(remark) => remark.text(language),
             Self::Word { line, column, text } => word(*line, column, text, language),
-            Self::MoreWords(count) => say(
-                format!("{count} more cells are not numbers and became gaps"),
-                format!("otras {count} celdas no son números y quedaron como huecos"),
-            ),
-            Self::WordLines { line, count: 1 } => say(
-                format!("line {line} has no number and was passed over"),
-                format!("la línea {line} no tiene números y se pasó por alto"),
-            ),
-            Self::WordLines { line, count } => say(
-                format!("{count} lines have no number and were passed over; the first is line {line}"),
-                format!("{count} líneas no tienen números y se pasaron por alto; la primera es la {line}"),
-            ),
-            Self::WordColumn(column) => say(
-                format!("column {column} holds words and was left out"),
-                format!("la columna {column} contiene palabras y se dejó fuera"),
-            ),
-            Self::EmptyColumn(column) => {
-                say(format!("column {column} is empty"), format!("la columna {column} está vacía"))
+            Self::MoreWords(count) => say!(language, "{count} more cells are not numbers and became gaps"),
+            Self::WordLines { line, count: 1 } => say!(language, "line {line} has no number and was passed over"),
+            Self::WordLines { line, count } => {
+                say!(language, "{count} lines have no number and were passed over; the first is line {line}")
             }
-            Self::ExtraCells { line, count } => say(
-                format!(
-                    "{count} rows are longer than the others, the first in line {line}; the cells beyond were left out"
-                ),
-                format!(
-                    "{count} filas son más largas que las otras, la primera en la línea {line}; lo que sobra se dejó fuera"
-                ),
+            Self::WordColumn(column) => say!(language, "column {column} holds words and was left out"),
+            Self::EmptyColumn(column) => {
+                say!(language, "column {column} is empty")
+            }
+            Self::ExtraCells { line, count } => say!(
+                language,
+                "{count} rows are longer than the others, the first in line {line}; the cells beyond were left out"
             ),
             Self::Heading(heading) => heading.text(language),
-            Self::UnknownUnit { column, unit } => say(
-                format!("`{unit}`, the unit of {column}, is not known; until one is stated, its numbers have none"),
-                format!(
-                    "«{unit}», la unidad de {column}, no se conoce; mientras no se indique, sus números no tienen unidad"
-                ),
+            Self::UnknownUnit { column, unit } => say!(
+                language,
+                "`{unit}`, the unit of {column}, is not known; until one is stated, its numbers have none"
             ),
             Self::Separator { line, text, beside, thousands } => separator(*line, text, beside, *thousands, language),
             Self::DecimalSign { line, text } => {
                 let [decimal, thousands] = readings(text, language);
-                say(
-                    format!(
-                        "line {line}: the comma of `{text}` is taken for a decimal sign: {decimal}, not {thousands}"
-                    ),
-                    format!("línea {line}: la coma de «{text}» se toma como signo decimal: {decimal}, no {thousands}"),
+                say!(
+                    language,
+                    "line {line}: the comma of `{text}` is taken for a decimal sign: {decimal}, not {thousands}"
                 )
             }
             Self::GroupSign { line, text } => {
                 let [decimal, thousands] = readings(text, language);
-                say(
-                    format!(
-                        "line {line}: `{text}` is read as {thousands} and not as {decimal}, as other numbers of the file have the other sign for their decimals"
-                    ),
-                    format!(
-                        "línea {line}: «{text}» se lee como {thousands} y no como {decimal}, pues otros números del archivo tienen el otro signo decimal"
-                    ),
+                say!(
+                    language,
+                    "line {line}: `{text}` is read as {thousands} and not as {decimal}, as other numbers of the file have the other sign for their decimals"
                 )
             }
             Self::OtherSign { column, point } => {
                 let column = called(column, language);
-                let (english, spanish) = if *point {
-                    (["point", "comma"], ["punto decimal", "coma decimal"])
+                if *point {
+                    say!(
+                        language,
+                        "{column} has a decimal point, other columns have a decimal comma; each is read with its own sign"
+                    )
                 } else {
-                    (["comma", "point"], ["coma decimal", "punto decimal"])
-                };
-                say(
-                    format!(
-                        "{column} has a decimal {}, other columns have a decimal {}; each is read with its own sign",
-                        english[0], english[1]
-                    ),
-                    format!(
-                        "{column} tiene {}, otras columnas tienen {}; cada una se lee con su propio signo",
-                        spanish[0], spanish[1]
-                    ),
-                )
+                    say!(
+                        language,
+                        "{column} has a decimal comma, other columns have a decimal point; each is read with its own sign"
+                    )
+                }
             }
             Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, language),
-            Self::Stamps { unit } => say(
-                format!(
-                    "each line has a time stamp; the column behind it shows the same times in {unit} and is used instead, as \
+            Self::Stamps { unit } => say!(
+                language,
+                "each line has a time stamp; the column behind it shows the same times in {unit} and is used instead, as \
                      it was not delayed on the way"
-                ),
-                format!(
-                    "cada línea tiene una marca de tiempo; la columna siguiente da los mismos tiempos en {unit} y se usa en su \
-                     lugar, pues no sufrió el retardo de la transmisión"
-                ),
             ),
             Self::Runs(names) => runs(names, language),
             Self::Role(remark) => remark.text(language),
             Self::AssumedSeconds(column) => {
                 let column = called(column, language);
-                say(
-                    format!(
-                        "no unit is stated for the times of {column}: they are taken for seconds, or in a fit for the unit of \
+                say!(
+                    language,
+                    "no unit is stated for the times of {column}: they are taken for seconds, or in a fit for the unit of \
                          the model's time; the header `t [ms]` states one"
-                    ),
-                    format!(
-                        "no se indica la unidad de los tiempos de {column}: se toman como segundos o, en un ajuste, en la \
-                         unidad del tiempo del modelo; el encabezado «t [ms]» la indica"
-                    ),
                 )
             }
             Self::NoTimes(column) => {
                 let column = called(column, language);
-                say(
-                    format!("the times in {column} are missing or all the same: nothing can be measured against them"),
-                    format!(
-                        "los tiempos de {column} faltan o son todos iguales: no se puede medir nada frente a ellos"
-                    ),
+                say!(
+                    language,
+                    "the times in {column} are missing or all the same: nothing can be measured against them"
                 )
             }
             Self::Scale(error) => {
                 let percent = decimal(100.0 * error, 2, language);
-                say(
-                    format!(
-                        "all lengths share the standard error of the film's scale, {percent} %, which fits take into account"
-                    ),
-                    format!(
-                        "todas las longitudes comparten el error estándar de la escala del vídeo, {percent} %, que los ajustes tienen \
-                         en cuenta"
-                    ),
+                say!(
+                    language,
+                    "all lengths share the standard error of the film's scale, {percent} %, which fits take into account"
                 )
             }
             Self::Missing { gaps, unit } => missing(gaps, unit, language),
-            Self::Doubled { time, unit, count: 1 } => say(
-                format!("the time {} stands twice", reading(*time, unit, language)),
-                format!("el tiempo {} está repetido", reading(*time, unit, language)),
-            ),
-            Self::Doubled { time, unit, count } => say(
-                format!(
-                    "{count} rows repeat the time of the row before, the first at {}",
-                    reading(*time, unit, language)
-                ),
-                format!(
-                    "{count} filas repiten el tiempo de la anterior, la primera en {}",
-                    reading(*time, unit, language)
-                ),
+            Self::Doubled { time, unit, count: 1 } => {
+                say!(language, "the time {} stands twice", reading(*time, unit, language))
+            }
+            Self::Doubled { time, unit, count } => say!(
+                language,
+                "{count} rows repeat the time of the row before, the first at {}",
+                reading(*time, unit, language)
             ),
             Self::Backwards { time, unit, count } => backwards(*time, unit, *count, language),
-            Self::Uneven(jitter) => say(
-                format!(
-                    "the rows are unevenly spaced: their distances vary by {} %",
-                    decimal(100.0 * jitter, 2, language)
-                ),
-                format!(
-                    "las filas no están equiespaciadas: sus distancias varían un {} %",
-                    decimal(100.0 * jitter, 2, language)
-                ),
+            Self::Uneven(jitter) => say!(
+                language,
+                "the rows are unevenly spaced: their distances vary by {} %",
+                decimal(100.0 * jitter, 2, language)
             ),
-            Self::RoundedTimes { to, unit } => say(
-                format!("the times are rounded to {}", reading(*to, unit, language)),
-                format!("los tiempos están redondeados a {}", reading(*to, unit, language)),
-            ),
+            Self::RoundedTimes { to, unit } => {
+                say!(language, "the times are rounded to {}", reading(*to, unit, language))
+            }
             Self::RoundedStep { interval, rate } => rounded_step(*interval, *rate, language),
             Self::Derived { column, of, stencil, attenuation } => {
                 let numbered = of.bytes().all(|byte| byte.is_ascii_digit());
                 let formula = stencil.formula(if numbered { "x" } else { of });
                 let (column, of) = (called(column, language), called(of, language));
-                let made = say(
-                    format!("{column} was computed from {of}, {formula}: it adds no independent information"),
-                    format!("{column} se calculó a partir de {of}, {formula}: no aporta información independiente"),
-                );
+                let made =
+                    say!(language, "{column} was computed from {of}, {formula}: it adds no independent information");
                 let Some(factor) = attenuation else { return made };
                 let percent = decimal(100.0 * (1.0 - factor), 2, language);
-                made + &say(
-                    format!("; at the frequency of this record that makes it too small by {percent} %"),
-                    format!("; a la frecuencia de este registro resulta un {percent} % demasiado pequeña"),
-                )
+                made + &say!(language, "; at the frequency of this record that makes it too small by {percent} %")
             }
         }
     }

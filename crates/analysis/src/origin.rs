@@ -1,7 +1,7 @@
 //! Origin of a column: its place in the file, its unit and its role.
 
 use crate::conversion::Conversion;
-use units::Language::{self, Spanish};
+use units::{Language, say};
 
 /// Origin of a column in its file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,18 +58,17 @@ impl Role {
     pub fn text(self, language: Language) -> &'static str {
         let reason = match self {
             Self::Measured => return "",
-            Self::Counter => return language.pick("counts the rows", "cuenta las filas"),
+            Self::Counter => return language.say("counts the rows"),
             Self::Independent(reason) => reason,
         };
         match reason {
-            Reason::Name => language.pick("independent: named as a time", "independiente: se llama como un tiempo"),
-            Reason::Unit => language.pick("independent: in a unit of time", "independiente: en una unidad de tiempo"),
-            Reason::First => language.pick("independent: the first column", "independiente: la primera columna"),
-            Reason::Increases => language
-                .pick("independent: increases or decreases throughout", "independiente: crece o decrece siempre"),
-            Reason::Alone => language.pick("independent: nothing else can be it", "independiente: no puede serlo otra"),
-            Reason::Document => language.pick("independent: that of the document", "independiente: la del documento"),
-            Reason::Person => language.pick("independent: chosen by you", "independiente: elegida por ti"),
+            Reason::Name => language.say("independent: named as a time"),
+            Reason::Unit => language.say("independent: in a unit of time"),
+            Reason::First => language.say("independent: the first column"),
+            Reason::Increases => language.say("independent: increases or decreases throughout"),
+            Reason::Alone => language.say("independent: nothing else can be it"),
+            Reason::Document => language.say("independent: that of the document"),
+            Reason::Person => language.say("independent: chosen by you"),
         }
     }
 }
@@ -105,22 +104,19 @@ pub enum UnitOrigin {
 impl UnitOrigin {
     /// Source in a few words, in English or Spanish.
     pub fn text(&self, language: Language) -> String {
-        let (english, other) = match self {
-            Self::NotStated => ("no unit stated", "sin unidad indicada"),
-            Self::Unknown(text) | Self::Remark(text) if language == Spanish => {
-                return format!("unidad desconocida: «{text}»");
-            }
-            Self::Unknown(text) | Self::Remark(text) => return format!("unknown unit: `{text}`"),
-            Self::Heading => ("from the header", "del encabezado"),
-            Self::UnitLine => ("from the line of units", "de la línea de unidades"),
-            Self::Suffix => ("from the end of the name", "del final del nombre"),
-            Self::Name => ("from the name", "del nombre"),
-            Self::Cells => ("from the cells", "de las celdas"),
-            Self::Clock => ("clock times, in seconds from the first row", "horas, en segundos desde la primera fila"),
-            Self::Compared => ("from the time stamps beside it", "de las marcas de tiempo a su lado"),
-            Self::Person => ("stated by you", "indicada por ti"),
+        let text = match self {
+            Self::NotStated => language.say("no unit stated"),
+            Self::Unknown(text) | Self::Remark(text) => return say!(language, "unknown unit: `{text}`"),
+            Self::Heading => language.say("from the header"),
+            Self::UnitLine => language.say("from the line of units"),
+            Self::Suffix => language.say("from the end of the name"),
+            Self::Name => language.say("from the name"),
+            Self::Cells => language.say("from the cells"),
+            Self::Clock => language.say("clock times, in seconds from the first row"),
+            Self::Compared => language.say("from the time stamps beside it"),
+            Self::Person => language.say("stated by you"),
         };
-        (if language == Spanish { other } else { english }).to_owned()
+        text.to_owned()
     }
 
     /// True if the file or the user states the unit.

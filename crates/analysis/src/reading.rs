@@ -8,7 +8,7 @@ use crate::packed::{self, Archive};
 use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
 use crate::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
 use std::borrow::Cow;
-use units::Language::{self, Spanish};
+use units::{Language, say};
 
 /// Reading of a file.
 #[derive(Debug)]
@@ -96,12 +96,8 @@ impl ReadingError {
     pub fn message(&self, language: Language) -> String {
         match self {
             Self::Text(error) => error.message(language),
-            Self::File { name, error } if language == Spanish => {
-                format!("archivo «{name}», {}", error.message(language))
-            }
-            Self::File { name, error } => format!("file `{name}`, {}", error.message(language)),
-            Self::Sheet { name, error } if language == Spanish => format!("hoja «{name}», {}", error.message(language)),
-            Self::Sheet { name, error } => format!("sheet `{name}`, {}", error.message(language)),
+            Self::File { name, error } => say!(language, "file `{name}`, {}", error.message(language)),
+            Self::Sheet { name, error } => say!(language, "sheet `{name}`, {}", error.message(language)),
             Self::Workbook(error) => error.message(language),
             Self::Project(error) => error.message(language),
         }

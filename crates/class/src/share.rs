@@ -1,5 +1,7 @@
 //! Shares of persons or groups, with their intervals.
 
+use units::say;
+
 /// Quantile of the normal distribution for an interval of 95 %.
 const QUANTILE: f64 = 1.959_963_984_540_054;
 
@@ -38,10 +40,7 @@ impl Share {
         let percent = |part: f64| libm::round(100.0 * part);
         let ((low, high), n) = (self.interval(), self.of);
         let (low, high, share) = (percent(low), percent(high), percent(self.value()));
-        language.pick(
-            format!("{share} % ({low} to {high} %, n = {n})"),
-            format!("{share} % (de {low} a {high} %, n = {n})"),
-        )
+        say!(language, "{share} % ({low} to {high} %, n = {n})")
     }
 }
 

@@ -14,7 +14,8 @@ use analysis::{tracker, workbook};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
-use units::Language;
+use std::sync::Arc;
+use units::{Words, words};
 
 /// Maximum size of a file, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
@@ -57,7 +58,7 @@ pub fn read(path: &Path, stated: Stated) -> Result<Measured, Failure> {
     };
     let kept = (bytes.len() <= MOST_CARRIED).then(|| bytes.clone());
     let contents = reading::read(bytes, MOST_BYTES as usize);
-    let import = contents.map_err(|error| refused(&name, &error))?.import;
+    let import = contents.map_err(|error| refused(&name, error))?.import;
     let mut table = import.table;
     state_units(&name, &mut table, stated.units)?;
     let mut findings = import.findings;
@@ -68,11 +69,13 @@ pub fn read(path: &Path, stated: Stated) -> Result<Measured, Failure> {
     Ok(Measured { name, table, findings, derived: inspection.derived, format: import.format, bytes: kept })
 }
 
-fn refused(name: &str, error: &ReadingError) -> Failure {
-    let why = units::Words::each(|language| error.message(language));
+fn refused(name: &str, error: ReadingError) -> Failure {
+    let error = Arc::new(error);
+    let of_hint = error.clone();
+    let why = Words::each(move |language| error.message(language));
     Failure::in_words(
-        units::words!("cannot read {name}: {why}", "no se puede leer {name}: {why}", why = why),
-        units::words(error.hint(Language::English), error.hint(Language::Spanish)),
+        words!("cannot read {name}: {why}"),
+        Words::each(move |language| of_hint.hint(language).to_owned()),
     )
 }
 
@@ -89,7 +92,7 @@ fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     source.take(8192).read_to_end(&mut bytes).map_err(failure)?;
     if !workbook::is_workbook(&bytes) && !tracker::is_project(&bytes) {
-        let refused = |error| refused(&path.display().to_string(), &ReadingError::Text(error));
+        let refused = |error| refused(&path.display().to_string(), ReadingError::Text(error));
         import::look(&bytes).map_err(refused)?;
     }
     source.take(MOST_BYTES).read_to_end(&mut bytes).map_err(failure)?;

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::io;
 use std::path::Path;
-use units::Words;
+use units::{Words, words};
 
 /// Reason why a command stopped.
 #[derive(Debug)]
@@ -42,8 +42,7 @@ impl Failure {
     /// A file of which a reason is said; the reason follows the name.
     pub fn about(path: &Path, why: &Words) -> Self {
         let name = path.display();
-        let (english, spanish) = (format!("{name} {}", why.english), format!("{name} {}", why.spanish));
-        Self::Request { message: Words { english: english.into(), spanish: spanish.into() }, hint: None }
+        Self::Request { message: words!("{name} {why}"), hint: None }
     }
 
     /// A file that cannot be read or written. `doing`: the verb of the message.

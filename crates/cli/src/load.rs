@@ -121,7 +121,7 @@ pub fn sources(path: &Path) -> Result<Sources, Failure> {
     let base = path.with_file_name(&name);
     let text = read_text(&base).map_err(|failure| match failure {
         Failure::Request { message, .. } => Failure::with_hint(
-            message.english,
+            message.english(),
             format!("{} is a translation and says `translates: {name}`", path.display()),
         ),
         other => other,
@@ -222,17 +222,11 @@ fn folder(path: &Path) -> Failure {
     let hint = match document {
         Some(document) => {
             let document = quoted(path.join(document));
-            words!(
-                "name a document in it, such as {document}; `meniscus check {shown}/*.md` checks all of them",
-                "nombra un documento de ella, por ejemplo {document}; `meniscus check {shown}/*.md` los comprueba todos"
-            )
+            words!("name a document in it, such as {document}; `meniscus check {shown}/*.md` checks all of them")
         }
-        None => words!(
-            "it has no documents, `*.md`; `meniscus new {shown}` begins one",
-            "no tiene documentos, `*.md`; `meniscus new {shown}` empieza uno"
-        ),
+        None => words!("it has no documents, `*.md`; `meniscus new {shown}` begins one"),
     };
-    Failure::in_words(words!("{name} is a folder, not a document", "{name} es una carpeta, no un documento"), hint)
+    Failure::in_words(words!("{name} is a folder, not a document"), hint)
 }
 
 fn standard_input() -> Result<String, Failure> {
@@ -276,6 +270,6 @@ mod tests {
         let Err(Failure::Request { message, .. }) = text(b"one\nse\xf1or".to_vec(), "a.md") else {
             panic!("it was read")
         };
-        assert_eq!(message.english, "a.md is not text in UTF-8 (line 2)");
+        assert_eq!(message.english(), "a.md is not text in UTF-8 (line 2)");
     }
 }

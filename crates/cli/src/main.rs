@@ -38,6 +38,7 @@ fn main() -> ExitCode {
         }
     };
     let terminal = Terminal::new(arguments.color, terminal::language::chosen(arguments.language));
+    catalogues::install();
     let result = match &arguments.command {
         Command::Serve(serve) => serve::serve(serve, terminal),
         Command::Run(run) => run::run(run, terminal),
@@ -61,7 +62,7 @@ fn main() -> ExitCode {
         Err(failure) => {
             if let Failure::Request { message, hint } = &failure {
                 let language = terminal.language;
-                terminal.error(message.text(language), hint.as_ref().map(|hint| hint.text(language)));
+                terminal.error(&message.text(language), hint.as_ref().map(|hint| hint.text(language)).as_deref());
             }
             ExitCode::from(failure.exit_code())
         }

@@ -12,7 +12,7 @@ impl Desk {
         let texts: Vec<(&str, String)> = sizes.iter().map(|(name, value)| (*name, value.to_string())).collect();
         let texts: Vec<(&str, &str)> = texts.iter().map(|(name, value)| (*name, value.as_str())).collect();
         let document = document::resized(&self.document, &texts)
-            .map_err(|why| Refusal::Size { why: why.text(self.play.language()).to_owned() })?;
+            .map_err(|why| Refusal::Size { why: why.text(self.play.language()).into_owned() })?;
         self.play.resize(document.program.clone());
         self.document = document;
         // Members of families now have other indices among states and quantities.

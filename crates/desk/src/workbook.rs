@@ -48,22 +48,21 @@ impl Desk {
     /// Sheet of facts about the film of a record; `None` if the record is not from a film.
     fn film_sheet(&self, record: u32) -> Option<Sheet> {
         let film = self.film_described(record)?;
-        let pick = |english, spanish| self.play.language().pick(english, spanish);
-        let times =
-            pick("Times count from the beginning of the film.", "Los tiempos cuentan desde el comienzo del vídeo.");
-        let mut rows = vec![vec![pick("Film", "Vídeo").into(), film.name.into()]];
+        let language = self.play.language();
+        let times = language.say("Times count from the beginning of the film.");
+        let mut rows = vec![vec![language.say("Film").into(), film.name.into()]];
         rows.extend(film.facts.into_iter().map(|(term, value)| vec![term.into(), value.into()]));
         rows.extend(film.notes.into_iter().map(|note| vec![Cell::Empty, note.into()]));
         rows.push(vec![Cell::Empty, times.into()]);
-        Some(Sheet { name: pick("Film", "Vídeo").to_owned(), rows, header: false })
+        Some(Sheet { name: language.say("Film").to_owned(), rows, header: false })
     }
 
     /// Names of the data that a link does not contain, in the chosen language.
     pub fn missing_in_link(&self) -> Vec<&'static str> {
-        let pick = |english, spanish| self.play.language().pick(english, spanish);
+        let language = self.play.language();
         let own = [
-            (!self.data.records.is_empty(), pick("records", "registros")),
-            (!self.saved_fits().is_empty(), pick("fits", "ajustes")),
+            (!self.data.records.is_empty(), language.say("records")),
+            (!self.saved_fits().is_empty(), language.say("fits")),
         ];
         let own = own.into_iter().filter_map(|(missing, name)| missing.then_some(name));
         own.chain(self.play.missing_in_link()).collect()

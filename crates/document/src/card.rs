@@ -9,7 +9,7 @@ use crate::text::outline::LENGTH;
 use model::{Diagnostic, Span};
 use program::Block;
 use units::markup::escaped;
-use units::words;
+use units::{Words, words};
 
 /// Maximum length of a summary, in characters.
 const SUMMARY: usize = 200;
@@ -90,12 +90,11 @@ fn list(value: &Value, most: usize) -> Vec<String> {
 /// Reports errors in `summary`, `topics` and `keywords`.
 pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
     if let Some(summary) = matter.get("summary").filter(|summary| !is_short(&summary.text, SUMMARY)) {
-        let message =
-            words!("`summary` has more than {SUMMARY} characters", "`summary` tiene más de {SUMMARY} caracteres");
-        diagnostics.push(Diagnostic::error("setting", message, summary.span).with_hint(words(
-            "it is one sentence for a list; the rest belongs to the prose",
-            "es una frase para una lista; lo demás va en el texto",
-        )));
+        let message = words!("`summary` has more than {SUMMARY} characters");
+        diagnostics.push(
+            Diagnostic::error("setting", message, summary.span)
+                .with_hint(words("it is one sentence for a list; the rest belongs to the prose")),
+        );
     }
     for (key, most, of) in [("topics", TOPICS, TOPIC_WORDS), ("keywords", KEYWORDS, KEYWORD_WORDS)] {
         if let Some(value) = matter.get(key) {
@@ -105,33 +104,31 @@ pub(crate) fn check(matter: &FrontMatter, diagnostics: &mut Vec<Diagnostic>) {
 }
 
 /// Names of an element of a list: alone, with *the*, and several.
-type Names = [(&'static str, &'static str); 3];
+type Names = [Words; 3];
 
-const TOPIC_WORDS: Names = [("a topic", "un tema"), ("the topic", "el tema"), ("topics", "temas")];
-const KEYWORD_WORDS: Names =
-    [("a keyword", "una palabra clave"), ("the keyword", "la palabra clave"), ("keywords", "palabras clave")];
+const TOPIC_WORDS: Names = [words("a topic"), words("the topic"), words("topics")];
+const KEYWORD_WORDS: Names = [words("a keyword"), words("the keyword"), words("keywords")];
 
 /// First error in a list of topics or keywords.
 fn check_list(value: &Value, most: usize, names: &Names) -> Option<Diagnostic> {
-    let [(one, uno), (the, el), (many, muchos)] = names;
+    let [one, the, many] = names;
     let mut before: Vec<&str> = Vec::new();
     for (topic, span) in placed(value) {
         let message = if topic.is_empty() {
-            words!("{one} is missing between two commas", "falta {uno} entre dos comas")
+            words!("{one} is missing between two commas")
         } else if !is_short(topic, TOPIC) {
-            words!("{one} has more than {TOPIC} characters", "{uno} tiene más de {TOPIC} caracteres")
+            words!("{one} has more than {TOPIC} characters")
         } else if before.contains(&topic) {
-            words!("{the} `{topic}` is given twice", "{el} `{topic}` se da dos veces")
+            words!("{the} `{topic}` is given twice")
         } else if before.len() == most {
-            words!("a document has at most {most} {many}", "un documento tiene como máximo {most} {muchos}")
+            words!("a document has at most {most} {many}")
         } else {
             before.push(topic);
             continue;
         };
-        return Some(Diagnostic::error("setting", message, span).with_hint(words(
-            "write a few words with commas between them",
-            "escribe unas pocas palabras separadas por comas",
-        )));
+        return Some(
+            Diagnostic::error("setting", message, span).with_hint(words("write a few words with commas between them")),
+        );
     }
     None
 }
@@ -146,12 +143,10 @@ pub(crate) fn check_translated(
     let original = read(original, &mut Vec::new());
     for key in ["summary", "topics", "keywords"] {
         if original.get(key).is_some() && translation.get(key).is_none() {
-            let message = words!("`{key}` has no translation", "`{key}` no tiene traducción");
+            let message = words!("`{key}` has no translation");
             diagnostics.push(
-                Diagnostic::warning("untranslated", message, language).with_hint(words!(
-                    "add a line `{key}` to the front matter",
-                    "añade una línea `{key}` a la cabecera"
-                )),
+                Diagnostic::warning("untranslated", message, language)
+                    .with_hint(words!("add a line `{key}` to the front matter")),
             );
         }
     }

@@ -107,11 +107,7 @@ impl<'a> Expressions<'a> {
                 continue;
             };
             if result.iter().any(|earlier| earlier.parameter == parameter) {
-                self.error(
-                    "duplicate-name",
-                    words!("`{}` is set twice", "`{}` se fija dos veces", name.text),
-                    name.span,
-                );
+                self.error("duplicate-name", words!("`{}` is set twice", name.text), name.span);
                 continue;
             }
             if !self.model().parameters[parameter].is_number() {
@@ -130,9 +126,7 @@ impl<'a> Expressions<'a> {
             let Some(value) = self.expect_number(value) else {
                 continue;
             };
-            let Some(value) =
-                self.expect_constant(value, &words("the value of a parameter", "el valor de un parámetro"))
-            else {
+            let Some(value) = self.expect_constant(value, &words("the value of a parameter")) else {
                 continue;
             };
             if self.fits(parameter, &value) {
@@ -165,11 +159,11 @@ impl<'a> Expressions<'a> {
         let quoted =
             |word: &&str| if own.choices == Choices::Switch { format!("`{word}`") } else { format!("\"{word}\"") };
         let known: Vec<String> = own.words(&model.texts).iter().map(quoted).collect();
-        let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", own.name);
-        let hint = words!("it can be: {}", "puede ser: {}", known.join(", "));
+        let message = words!("`{}` cannot have this value", own.name);
+        let hint = words!("it can be: {}", known.join(", "));
         let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
         let diagnostic = Diagnostic::error("not-a-choice", message, value.span)
-            .with_label(declared, words("it is declared here", "se declara aquí"))
+            .with_label(declared, words("it is declared here"))
             .with_hint(hint);
         self.diagnostics.push(diagnostic);
         None
@@ -180,7 +174,7 @@ impl<'a> Expressions<'a> {
         let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
         let parameter = &self.model().parameters[parameter];
         if value.dimension() != parameter.unit.dimension {
-            let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", parameter.name);
+            let message = words!("`{}` cannot have this value", parameter.name);
             let found = (*span, value.dimension());
             let expected = (declared, parameter.unit.dimension);
             self.diagnostics.push(dimension_error(message, found, expected));
@@ -194,11 +188,11 @@ impl<'a> Expressions<'a> {
         }
         let unit = &parameter.unit;
         let range = format!("{}..{} {unit}", unit.from_si(low), unit.from_si(high));
-        let message = words!("`{}` cannot have this value", "`{}` no puede tener este valor", parameter.name);
+        let message = words!("`{}` cannot have this value", parameter.name);
         self.diagnostics.push(
             Diagnostic::error("out-of-range", message, *span)
-                .saying(words!("outside {}", "fuera de {}", range.trim_end()))
-                .with_label(declared, words("the range is declared here", "el intervalo se declara aquí")),
+                .saying(words!("outside {}", range.trim_end()))
+                .with_label(declared, words("the range is declared here")),
         );
         false
     }
@@ -207,16 +201,14 @@ impl<'a> Expressions<'a> {
     pub fn parameter(&mut self, name: &model::Name) -> Option<usize> {
         let found = self.model().parameters.iter().position(|parameter| parameter.name == name.text);
         if found.is_none() {
-            let message =
-                words!("`{}` is not a parameter of the model", "`{}` no es un parámetro del modelo", name.text);
+            let message = words!("`{}` is not a parameter of the model", name.text);
             let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
             let diagnostic = Diagnostic::error("unknown-name", message, name.span);
             let diagnostic = match units::nearest(&name.text, names) {
                 Some(near) => diagnostic.meaning(near),
-                None if self.model().lookup(&name.text, 0).is_some() => diagnostic.with_hint(words(
-                    "only parameters can be set; what is computed follows from them",
-                    "solo se pueden fijar parámetros; lo que se calcula resulta de ellos",
-                )),
+                None if self.model().lookup(&name.text, 0).is_some() => {
+                    diagnostic.with_hint(words("only parameters can be set; what is computed follows from them"))
+                }
                 None => diagnostic,
             };
             self.diagnostics.push(diagnostic);
@@ -232,26 +224,15 @@ impl<'a> Expressions<'a> {
             let StatementKind::Definition { name, mut value, unit } = statement.kind else {
                 self.error(
                     "scene-definition",
-                    words(
-                        "before the drawing only definitions can stand: `name = expression`",
-                        "antes del dibujo solo puede haber definiciones: `name = expression`",
-                    ),
+                    words("before the drawing only definitions can stand: `name = expression`"),
                     statement.span,
                 );
                 continue;
             };
             if self.model().lookup(&name.text, 0).is_some() {
-                self.error(
-                    "duplicate-name",
-                    words!("`{}` is already a name of the model", "`{}` ya es un nombre del modelo", name.text),
-                    name.span,
-                );
+                self.error("duplicate-name", words!("`{}` is already a name of the model", name.text), name.span);
             } else if self.local.contains_key(&name.text) {
-                self.error(
-                    "duplicate-name",
-                    words!("`{}` is defined twice", "`{}` se define dos veces", name.text),
-                    name.span,
-                );
+                self.error("duplicate-name", words!("`{}` is defined twice", name.text), name.span);
             } else {
                 let whole = value.clone();
                 if self.place(whole, unit.as_ref()).is_none() {
@@ -313,10 +294,7 @@ impl<'a> Expressions<'a> {
         if nodes.max(extent.nodes) > NODES || extent.depth > DEPTH {
             self.error(
                 "too-large",
-                words(
-                    "with the scene's own names written out this expression is too large",
-                    "con los nombres de la propia escena desarrollados, esta expresión es demasiado grande",
-                ),
+                words("with the scene's own names written out this expression is too large"),
                 expression.span,
             );
             return None;
@@ -347,11 +325,8 @@ impl<'a> Expressions<'a> {
     pub fn expect_number(&mut self, compiled: Placed) -> Option<Placed> {
         let what = match compiled.value.kind {
             Kind::Number => return Some(compiled),
-            Kind::Truth => words(
-                "this is true or false, and a number is needed",
-                "esto es un valor lógico, y hace falta un número",
-            ),
-            Kind::Text => words("this is a text, and a number is needed", "esto es un texto, y hace falta un número"),
+            Kind::Truth => words("this is true or false, and a number is needed"),
+            Kind::Text => words("this is a text, and a number is needed"),
         };
         self.error("not-a-number", what, compiled.span);
         None
@@ -365,20 +340,9 @@ impl<'a> Expressions<'a> {
             None => return Some(compiled),
         };
         self.diagnostics.push(
-            Diagnostic::error(
-                "varies",
-                words!(
-                    "{what} cannot change during the run",
-                    "{what} no puede cambiar durante la simulación",
-                    what = what
-                ),
-                compiled.span,
-            )
-            .saying(words!("depends on {culprit}", "depende de {culprit}"))
-            .with_hint(words(
-                "use parameters, quantities made of them, and values at the start such as `y(0)`",
-                "usa parámetros, magnitudes hechas con ellos y valores iniciales como `y(0)`",
-            )),
+            Diagnostic::error("varies", words!("{what} cannot change during the run"), compiled.span)
+                .saying(words!("depends on {culprit}"))
+                .with_hint(words("use parameters, quantities made of them, and values at the start such as `y(0)`")),
         );
         None
     }
@@ -399,8 +363,8 @@ pub fn dimension_error(
         if dimension.is_none() {
             return QuantityName::PURE_NUMBER.with_article();
         }
-        Words::each(|language| {
-            let nouns = dimension.quantity_names().iter().map(|name| name.noun().text(language).to_owned());
+        Words::each(move |language| {
+            let nouns = dimension.quantity_names().iter().map(|name| name.noun().text(language).into_owned());
             let nouns = nouns.collect::<Vec<_>>().join(", ");
             if nouns.is_empty() { dimension.to_string() } else { format!("{dimension} ({nouns})") }
         })

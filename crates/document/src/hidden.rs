@@ -11,14 +11,11 @@ impl Expressions<'_> {
         if own.is_shown() {
             return true;
         }
-        let message = words!("`{0}` is hidden from readers", "`{0}` está oculto para los lectores", own.name);
-        let hint = words(
-            "leave it out here, or take the word `hidden` away where it is declared",
-            "omítelo aquí, o quita la palabra `hidden` donde se declara",
-        );
+        let message = words!("`{0}` is hidden from readers", own.name);
+        let hint = words("leave it out here, or take the word `hidden` away where it is declared");
         let declared = self.places.parameters.get(parameter).copied().unwrap_or_default();
         let diagnostic = Diagnostic::error("hidden-parameter", message, place)
-            .with_label(declared, words("it is declared here", "se declara aquí"))
+            .with_label(declared, words("it is declared here"))
             .with_hint(hint);
         self.diagnostics.push(diagnostic);
         false

@@ -24,17 +24,10 @@ use units::{Language, words};
 pub fn open(source: &str, translations: &[&str]) -> Opened {
     let mut file = File::new(source);
     if let Some(base) = file.outline.front_matter().get("translates") {
-        let hint = words!("open {}, and this file with it", "abre {}, y este archivo con él", base.text);
+        let hint = words!("open {}, and this file with it", base.text);
         file.diagnostics.push(
-            Diagnostic::error(
-                "translation",
-                words(
-                    "this is a translation, which has no model of its own",
-                    "esto es una traducción, que no tiene modelo propio",
-                ),
-                base.span,
-            )
-            .with_hint(hint),
+            Diagnostic::error("translation", words("this is a translation, which has no model of its own"), base.span)
+                .with_hint(hint),
         );
     }
     let checked = file.model();
@@ -86,15 +79,8 @@ impl<'a> File<'a> {
             if !model::has_errors(&self.diagnostics) {
                 let start = self.outline.front_matter().span.end;
                 self.diagnostics.push(
-                    Diagnostic::error(
-                        "no-model",
-                        words("the document has no model", "el documento no tiene modelo"),
-                        Span::new(start, start),
-                    )
-                    .with_hint(words(
-                        "write its equations in a block that begins with a line \"```model\"",
-                        "escribe sus ecuaciones en un bloque que empiece con una línea «```model»",
-                    )),
+                    Diagnostic::error("no-model", words("the document has no model"), Span::new(start, start))
+                        .with_hint(words("write its equations in a block that begins with a line \"```model\"")),
                 );
             }
             return None;
@@ -131,25 +117,12 @@ impl<'a> File<'a> {
             .next()
             .and_then(|block| scene::build(&mut expressions, block.content.range(), Language::of(&settings.language)))
             .unzip();
-        let mut further: Vec<Diagnostic> = scenes
-            .map(|block| {
-                Diagnostic::error(
-                    "fence",
-                    words("a document has one scene", "un documento tiene una sola escena"),
-                    block.head(),
-                )
-            })
-            .collect();
+        let mut further: Vec<Diagnostic> =
+            scenes.map(|block| Diagnostic::error("fence", words("a document has one scene"), block.head())).collect();
         further.extend(self.outline.blocks_of(BlockKind::Translations).map(|block| {
-            Diagnostic::error(
-                "fence",
-                words("translations stand in a file of their own", "las traducciones van en un archivo propio"),
-                block.head(),
+            Diagnostic::error("fence", words("translations stand in a file of their own"), block.head()).with_hint(
+                words("such as `utube.es.md`, whose front matter says `language: es` and `translates: utube.md`"),
             )
-            .with_hint(words(
-                "such as `utube.es.md`, whose front matter says `language: es` and `translates: utube.md`",
-                "por ejemplo `utube.es.md`, cuya cabecera dice `language: es` y `translates: utube.md`",
-            ))
         }));
         let mut compiled: Vec<Question> = Vec::new();
         let mut earlier: Vec<Option<usize>> = Vec::new();
@@ -215,10 +188,7 @@ impl<'a> File<'a> {
                 BlockKind::Prose => prose.markdown(block.content.range()),
                 BlockKind::Question => {
                     if numbers.len() == QUESTIONS {
-                        let message = words!(
-                            "a document cannot have more than {QUESTIONS} questions",
-                            "un documento no puede tener más de {QUESTIONS} preguntas"
-                        );
+                        let message = words!("a document cannot have more than {QUESTIONS} questions");
                         diagnostics.push(Diagnostic::error("too-large", message, block.head()));
                         break;
                     }

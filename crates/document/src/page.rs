@@ -5,6 +5,7 @@ use program::Program;
 use serde::{Deserialize, Serialize};
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
+use std::ops::Range;
 
 /// A file of a document.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -34,11 +35,18 @@ pub const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' 'wasm-u
 pub const EDITOR: &str = "<script type=\"application/octet-stream\" id=\"editor\">";
 
 /// Opening tag of the element with the page template for [`played`], used to publish documents from the laboratory:
-/// deflated, in base64. The template lacks the module of the player, with which the laboratory opens ([`without_module`]).
+/// deflated, in base64. The template lacks the parts of the player, with which the laboratory opens ([`without_parts`]).
 pub const PLAYER: &str = "<script type=\"application/octet-stream\" id=\"player\">";
 
 /// Opening tag of the element with the module of the player: gzipped, in base64.
 pub const MODULE: &str = "<script type=\"application/octet-stream\" id=\"module\">";
+
+/// Beginning of the opening tag of an element with texts of a language for the player, up to the tag of the language: a packed
+/// catalogue, gzipped, in base64.
+pub const TEXTS: &str = "<script type=\"application/octet-stream\" id=\"texts-";
+
+/// As [`TEXTS`], for the laboratory.
+pub const LABORATORY_TEXTS: &str = "<script type=\"application/octet-stream\" id=\"laboratory-texts-";
 
 /// Opening tag of the element with the module of the laboratory: gzipped, in base64.
 pub const LABORATORY: &str = "<script type=\"application/octet-stream\" id=\"laboratory\">";
@@ -107,17 +115,42 @@ fn without_bundle(text: &str) -> &str {
     }
 }
 
-/// The player without the text of its module. `None` if it has no module.
-pub fn without_module(player: &str) -> Option<String> {
-    let start = player.find(MODULE)? + MODULE.len();
-    let length = player[start..].find(CLOSING)?;
-    Some(format!("{}{}", &player[..start], &player[start + length..]))
+/// The parts of the player that the laboratory carries, too: the id of each element, and the range of its text.
+fn parts(player: &str) -> Vec<(&str, Range<usize>)> {
+    let beginnings = [MODULE, TEXTS].into_iter().flat_map(|tag| player.match_indices(tag));
+    let mut parts: Vec<(&str, Range<usize>)> = beginnings
+        .filter_map(|(at, _)| {
+            let start = at + player[at..].find('>')? + 1;
+            let (_, id) = player[at..start].split_once("id=\"")?;
+            Some((id.split_once('"')?.0, start..start + player[start..].find(CLOSING)?))
+        })
+        .collect();
+    parts.sort_by_key(|(_, range)| range.start);
+    parts
 }
 
-/// The player with the text of its module, which [`without_module`] has left out. `None` if it has no place for it.
-pub fn with_module(player: &str, module: &str) -> Option<String> {
-    let place = player.find(&format!("{MODULE}{CLOSING}"))? + MODULE.len();
-    Some(format!("{}{module}{}", &player[..place], &player[place..]))
+/// The player without the texts of its parts. `None` if it has no module.
+pub fn without_parts(player: &str) -> Option<String> {
+    player.contains(MODULE).then(|| filled(player, |_| ""))
+}
+
+/// Ids of the parts that [`without_parts`] has left out.
+pub fn part_ids(player: &str) -> Vec<String> {
+    parts(player).into_iter().map(|(id, _)| id.to_owned()).collect()
+}
+
+/// The player with these texts of its parts, which [`without_parts`] has left out.
+pub fn with_parts(player: &str, texts: &[(String, String)]) -> String {
+    filled(player, |id| texts.iter().find(|(own, _)| own == id).map_or("", |(_, text)| text))
+}
+
+fn filled<'a>(player: &str, text: impl Fn(&str) -> &'a str) -> String {
+    let (mut page, mut done) = (String::new(), 0);
+    for (id, range) in parts(player) {
+        page.extend([&player[done..range.start], text(id)]);
+        done = range.end;
+    }
+    page + &player[done..]
 }
 
 /// Documents as a JSON list that is safe inside a `script` element: it cannot end the element or begin a comment.
@@ -240,12 +273,13 @@ mod tests {
 
     #[test]
     fn the_module_of_a_player_is_left_out_and_put_back() {
-        let player = format!("<body>{MODULE}AAEC{CLOSING}<script>1;</script></body>");
-        let template = without_module(&player).unwrap();
-        assert!(!template.contains("AAEC"));
-        assert_eq!(with_module(&template, "AAEC").unwrap(), player);
-        assert_eq!(with_module(&player, "AAEC"), None);
-        assert_eq!(without_module("<body></body>"), None);
+        let player = format!("<body>{MODULE}AAEC{CLOSING}<script>1;</script>{TEXTS}es\">AAED{CLOSING}</body>");
+        let template = without_parts(&player).unwrap();
+        assert!(!template.contains("AAE"), "{template}");
+        let texts = [("texts-es", "AAED"), ("module", "AAEC")].map(|(id, text)| (id.to_owned(), text.to_owned()));
+        assert_eq!(part_ids(&template), ["module", "texts-es"]);
+        assert_eq!(with_parts(&template, &texts), player);
+        assert_eq!(without_parts("<body></body>"), None);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use units::Language;
 pub struct Template {
     /// File name without extension.
     pub name: &'static str,
+    /// English, which stands for languages without a template of their own.
     english: &'static str,
     spanish: &'static str,
 }
@@ -14,7 +15,10 @@ pub struct Template {
 impl Template {
     /// Text in a language.
     pub fn text(&self, language: Language) -> &'static str {
-        language.pick(self.english, self.spanish)
+        match language {
+            Language::Spanish => self.spanish,
+            _ => self.english,
+        }
     }
 
     /// True for the template that contains only the structure.

@@ -3,7 +3,7 @@
 use crate::{Method, Setup};
 use program::Model;
 use std::fmt;
-use units::number::{Style, plain};
+use units::number::plain;
 use units::{Words, words};
 
 /// An error that prevents or stops a run, with its time.
@@ -123,154 +123,90 @@ impl RunError {
         let state = |index: usize| model.states.get(index).map(program::State::name).unwrap_or_default();
         let moment = moment(model, self.time);
         match self.cause {
-            Cause::WrongParameters(given, needed) => words!(
-                "{given} parameters given, the model has {needed}",
-                "se dieron {given} parámetros y el modelo tiene {needed}"
-            ),
+            Cause::WrongParameters(given, needed) => words!("{given} parameters given, the model has {needed}"),
             Cause::ParameterNotFinite(index) => {
                 let name = model.parameters.get(index).map_or("", |parameter| parameter.name.as_str());
-                words!("the parameter {name} is not a finite number", "el parámetro {name} no es un número finito")
+                words!("the parameter {name} is not a finite number")
             }
-            Cause::WrongStart(given, needed) => words!(
-                "{given} start values given, the model has {needed} states",
-                "se dieron {given} valores iniciales y el modelo tiene {needed} estados"
-            ),
-            Cause::StepNotPositive => {
-                words("the step is not a positive, finite number", "el paso no es un número positivo y finito")
-            }
+            Cause::WrongStart(given, needed) => words!("{given} start values given, the model has {needed} states"),
+            Cause::StepNotPositive => words("the step is not a positive, finite number"),
             Cause::BadTolerance => {
                 let least = units::number::shortest(Setup::LEAST_TOLERANCE);
-                words!("the tolerance is not between {least} and 1", "la tolerancia no está entre {least} y 1")
+                words!("the tolerance is not between {least} and 1")
             }
             Cause::NotSecondOrder(index) => {
                 let variable = model.states.get(index).map_or("", |state| state.variable.as_str());
                 let order = model.states.iter().filter(|other| other.variable == variable).count();
-                words!(
-                    "velocity-verlet is for equations of second order; that for {variable} is of order {order}",
-                    "velocity-verlet es para ecuaciones de segundo orden; la de {variable} es de orden {order}"
-                )
+                words!("velocity-verlet is for equations of second order; that for {variable} is of order {order}")
             }
-            Cause::InitialNotFinite(index) => words!(
-                "the initial value of {} is not a finite number",
-                "el valor inicial de {} no es un número finito",
-                state(index)
-            ),
-            Cause::ModelTooLarge => words(
-                "the model is too large for the stiff method",
-                "el modelo es demasiado grande para el método rígido",
-            ),
-            Cause::Singular(_) => words!(
-                "the equations have no unique solution for the highest derivatives after {moment}",
-                "las ecuaciones no tienen solución única para las derivadas de mayor orden después de {moment}",
-                moment = moment
-            ),
+            Cause::InitialNotFinite(index) => words!("the initial value of {} is not a finite number", state(index)),
+            Cause::ModelTooLarge => words("the model is too large for the stiff method"),
+            Cause::Singular(_) => {
+                words!("the equations have no unique solution for the highest derivatives after {moment}",)
+            }
             Cause::Infinite(index, _) => {
                 let name = state(index);
-                words!(
-                    "{name} exceeds the largest number after {moment}",
-                    "{name} supera el mayor número representable después de {moment}",
-                    moment = moment
-                )
+                words!("{name} exceeds the largest number after {moment}")
             }
             Cause::NotANumber(index, _) => {
                 let name = state(index);
-                words!(
-                    "{name} has no defined value after {moment}",
-                    "{name} no tiene un valor definido después de {moment}",
-                    moment = moment
-                )
+                words!("{name} has no defined value after {moment}")
             }
-            Cause::StepTooSmall => words!(
-                "no step from {moment} is small enough for the tolerance",
-                "ningún paso desde {moment} es bastante pequeño para la tolerancia",
-                moment = moment
-            ),
-            Cause::TooManySteps(limit, _) => words!(
-                "{limit} steps were not enough for one row, at {moment}",
-                "{limit} pasos no bastaron para una fila, en {moment}",
-                moment = moment
-            ),
-            Cause::TooManyEvents(limit, _) => words!(
-                "more than {limit} events in a hundredth of a step, at {moment}",
-                "más de {limit} eventos en una centésima de paso, en {moment}",
-                moment = moment
-            ),
+            Cause::StepTooSmall => words!("no step from {moment} is small enough for the tolerance"),
+            Cause::TooManySteps(limit, _) => {
+                words!("{limit} steps were not enough for one row, at {moment}")
+            }
+            Cause::TooManyEvents(limit, _) => {
+                words!("more than {limit} events in a hundredth of a step, at {moment}")
+            }
             Cause::Ended(event) => match model.events.get(event).and_then(|event| event.title.as_deref()) {
-                Some(title) => words!(
-                    "the run ends at {moment}: {title}",
-                    "la simulación termina en {moment}: {title}",
-                    moment = moment,
-                    title = words!("{}", "{}", translate(title))
-                ),
+                Some(title) => {
+                    words!("the run ends at {moment}: {title}", title = words!("{}", translate(title)))
+                }
                 None => {
-                    words!(
-                        "an event ends the run at {moment}",
-                        "un evento termina la simulación en {moment}",
-                        moment = moment
-                    )
+                    words!("an event ends the run at {moment}")
                 }
             },
-            Cause::TooManySwitches(limit) => words!(
-                "the equations switch to and fro without end: more than {limit} times in one step, at {moment}",
-                "las ecuaciones conmutan sin fin de un lado a otro: más de {limit} veces en un paso, en {moment}",
-                moment = moment
-            ),
+            Cause::TooManySwitches(limit) => {
+                words!("the equations switch to and fro without end: more than {limit} times in one step, at {moment}",)
+            }
         }
     }
 
     /// Advice on how to avoid the error.
     pub fn hint(&self) -> Words {
         match self.cause {
-            Cause::WrongParameters(..) => words("give one value for each parameter", "da un valor para cada parámetro"),
-            Cause::ParameterNotFinite(_) => words("give it a value", "dale un valor"),
-            Cause::WrongStart(..) => words("give one value for each state", "da un valor para cada estado"),
-            Cause::StepNotPositive => words("the usual step is 0.05 s", "el paso habitual es 0,05 s"),
-            Cause::BadTolerance => words("the usual tolerance is 1e-6", "la tolerancia habitual es 1e-6"),
-            Cause::NotSecondOrder(_) => words("use the method Runge-Kutta (rk4)", "usa el método de Runge-Kutta (rk4)"),
-            Cause::InitialNotFinite(_) => {
-                words("change the parameters it depends on", "cambia los parámetros de los que depende")
+            Cause::WrongParameters(..) => words("give one value for each parameter"),
+            Cause::ParameterNotFinite(_) => words("give it a value"),
+            Cause::WrongStart(..) => words("give one value for each state"),
+            Cause::StepNotPositive => words("the usual step is 0.05 s"),
+            Cause::BadTolerance => words("the usual tolerance is 1e-6"),
+            Cause::NotSecondOrder(_) => words("use the method Runge-Kutta (rk4)"),
+            Cause::InitialNotFinite(_) => words("change the parameters it depends on"),
+            Cause::ModelTooLarge => words("choose another method"),
+            Cause::Singular(_) => words("the determinant of the masses or coefficients has become zero there"),
+            Cause::Infinite(_, Method::Rosenbrock) | Cause::NotANumber(_, Method::Rosenbrock) => {
+                words("check the equations for a division by zero or a root of a negative number")
             }
-            Cause::ModelTooLarge => words("choose another method", "elige otro método"),
-            Cause::Singular(_) => words(
-                "the determinant of the masses or coefficients has become zero there",
-                "el determinante de las masas o los coeficientes se anula allí",
-            ),
-            Cause::Infinite(_, Method::Rosenbrock) | Cause::NotANumber(_, Method::Rosenbrock) => words(
-                "check the equations for a division by zero or a root of a negative number",
-                "busca en las ecuaciones una división entre cero o la raíz de un número negativo",
-            ),
-            Cause::Infinite(_, Method::DormandPrince) | Cause::NotANumber(_, Method::DormandPrince) => words(
-                "check the equations for a division by zero; if there is none, try the method Rosenbrock",
-                "busca en las ecuaciones una división entre cero; si no la hay, prueba el método de Rosenbrock",
-            ),
+            Cause::Infinite(_, Method::DormandPrince) | Cause::NotANumber(_, Method::DormandPrince) => {
+                words("check the equations for a division by zero; if there is none, try the method Rosenbrock")
+            }
             Cause::Infinite(..) | Cause::NotANumber(..) => words(
                 "check the equations for a division by zero; if there is none, try a smaller step or the method Dormand-Prince",
-                "busca en las ecuaciones una división entre cero; si no la hay, prueba un paso menor o el método de Dormand-Prince",
             ),
-            Cause::StepTooSmall => words(
-                "the solution is not smooth there, or grows beyond all bounds",
-                "la solución no es suave allí, o crece sin límite",
-            ),
-            Cause::TooManySteps(_, Method::Rosenbrock) => words(
-                "a larger tolerance or rows at shorter distances may help",
-                "puede ayudar una tolerancia mayor o filas más próximas",
-            ),
-            Cause::TooManySteps(..) => words(
-                "if the equations are stiff, use the method Rosenbrock",
-                "si las ecuaciones son rígidas, usa el método de Rosenbrock",
-            ),
+            Cause::StepTooSmall => words("the solution is not smooth there, or grows beyond all bounds"),
+            Cause::TooManySteps(_, Method::Rosenbrock) => {
+                words("a larger tolerance or rows at shorter distances may help")
+            }
+            Cause::TooManySteps(..) => words("if the equations are stiff, use the method Rosenbrock"),
             Cause::TooManyEvents(..) => words(
                 "the events follow one another ever faster, like the last bounces of a ball; let an event end the \
                  motion, or stop before",
-                "los eventos se suceden cada vez más deprisa, como los últimos botes de una pelota; haz que un evento \
-                 termine el movimiento, o detente antes",
             ),
-            Cause::Ended(_) => words("press Play to go on from there", "pulsa Reproducir para seguir desde ahí"),
+            Cause::Ended(_) => words("press Play to go on from there"),
             Cause::TooManySwitches(_) => words(
                 "both sides of a condition or of `sign` lead back to it; if it is dry friction, write `coulomb(v, F)`; if it is a \
                  controller, let it switch on and off at different values",
-                "ambos lados de una condición o de `sign` llevan de vuelta a ella; si es un rozamiento seco, escribe \
-                 `coulomb(v, F)`; si es un regulador, haz que conecte y desconecte con valores distintos",
             ),
         }
     }
@@ -289,7 +225,8 @@ impl std::error::Error for RunError {}
 /// digits.
 pub(crate) fn moment(model: &Model, time: f64) -> Words {
     let (name, unit) = (&model.independent.name, &model.independent.unit);
-    let [value, spanish] = [Style::POINT, Style::COMMA].map(|style| plain(unit.from_si(time), 7, style));
+    let shown = unit.from_si(time);
+    let value = Words::each(move |language| plain(shown, 7, language.style()));
     let unit = if unit.text.is_empty() { String::new() } else { format!(" {unit}") };
-    words!("{name} = {value}{unit}", "{name} = {spanish}{unit}")
+    words!("{name} = {value}{unit}")
 }

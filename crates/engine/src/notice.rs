@@ -53,38 +53,23 @@ impl Notice {
         match self.kind {
             NoticeKind::MayBeSkipped(Some(event)) => words!(
                 "{event} may be skipped from {moment} on: what its condition compares changes too fast within a step",
-                "desde {moment} {event} puede pasarse por alto: lo que compara su condición cambia demasiado deprisa dentro \
-                 de un paso",
                 event = event_name(model, event),
-                moment = moment
             ),
             NoticeKind::MayBeSkipped(None) => words!(
                 "a jump of the equations may be skipped from {moment} on: what decides it changes too fast within a step",
-                "desde {moment} un salto de las ecuaciones puede pasarse por alto: lo que lo decide cambia demasiado deprisa \
-                 dentro de un paso",
-                moment = moment
             ),
             NoticeKind::OutsideTable(table) => {
                 let table = model.tables.get(table);
                 let (table, argument) = table.map_or(("", ""), |table| (&table.name, &table.argument));
                 words!(
                     "{argument} is outside the points of the table {table} at {moment}: the table keeps its last value there",
-                    "{argument} está fuera de los puntos de la tabla {table} en {moment}: la tabla conserva allí su último \
-                     valor",
-                    moment = moment
                 )
             }
             NoticeKind::TooFastInTime => words!(
                 "a condition on {name} alone changes so often in a step that changes may be skipped from {moment} on",
-                "una condición que solo depende de {name} cambia tantas veces en un paso que desde {moment} pueden pasarse \
-                 por alto cambios",
-                moment = moment
             ),
             NoticeKind::StepTooLong => words!(
                 "the step is too long from {moment} on: the method is unstable, and values can grow without a physical cause",
-                "desde {moment} el paso es demasiado largo: el método es inestable, y los valores pueden crecer sin causa \
-                 física",
-                moment = moment
             ),
         }
     }
@@ -92,13 +77,10 @@ impl Notice {
     /// Advice on how to avoid it.
     pub fn hint(&self) -> Words {
         match self.kind {
-            NoticeKind::OutsideTable(_) => words("give the table more points", "añade puntos a la tabla"),
-            NoticeKind::MayBeSkipped(_) | NoticeKind::TooFastInTime => {
-                words("a smaller step helps", "ayuda un paso menor")
-            }
+            NoticeKind::OutsideTable(_) => words("give the table more points"),
+            NoticeKind::MayBeSkipped(_) | NoticeKind::TooFastInTime => words("a smaller step helps"),
             NoticeKind::StepTooLong => words(
                 "choose a smaller step or a method that adapts its step: Dormand-Prince, or Rosenbrock for stiff equations",
-                "elige un paso menor o un método que adapte su paso: Dormand-Prince, o Rosenbrock para ecuaciones rígidas",
             ),
         }
     }
@@ -108,11 +90,11 @@ impl Notice {
 fn event_name(model: &Model, event: usize) -> Words {
     let event = model.events.get(event);
     if let Some(title) = event.and_then(|event| event.title.as_ref()) {
-        return words!("the event `{title}`", "el evento `{title}`");
+        return words!("the event `{title}`");
     }
     let changed = event.and_then(|event| event.actions.first());
     match changed.and_then(|(state, _)| model.states.get(*state as usize)) {
-        Some(state) => words!("the event that changes `{}`", "el evento que cambia `{}`", state.kept_for()),
-        None => words("an event", "un evento"),
+        Some(state) => words!("the event that changes `{}`", state.kept_for()),
+        None => words("an event"),
     }
 }

@@ -34,20 +34,15 @@ impl Fault {
     /// Message: what happened, and what to do.
     pub fn words(&self) -> Words {
         match self {
-            Self::Signature => words(
-                "The file is not a YUV4MPEG2 film. Convert it with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.",
-                "El archivo no es un vídeo YUV4MPEG2. Conviértelo con `ffmpeg -i VIDEO -pix_fmt yuv420p film.y4m`.",
-            ),
-            Self::Header { line } => words!(
-                "The header of the film has no valid size or frame rate: {line}",
-                "La cabecera del vídeo no tiene un tamaño o una frecuencia de fotogramas válidos: {line}"
-            ),
+            Self::Signature => {
+                words("The file is not a YUV4MPEG2 film. Convert it with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.")
+            }
+            Self::Header { line } => words!("The header of the film has no valid size or frame rate: {line}"),
             Self::Pixels { name } => words!(
-                "Pixels stored as {name} are not read. Convert the film with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`.",
-                "No se leen píxeles guardados como {name}. Convierte el vídeo con `ffmpeg -i VIDEO -pix_fmt yuv420p film.y4m`."
+                "Pixels stored as {name} are not read. Convert the film with `ffmpeg -i FILM -pix_fmt yuv420p film.y4m`."
             ),
             Self::Frame { read } => {
-                words!("The film is damaged after {read} frames.", "El vídeo está dañado después de {read} fotogramas.")
+                words!("The film is damaged after {read} frames.")
             }
         }
     }

@@ -19,7 +19,6 @@ import {
 } from "@codemirror/view";
 import { completions } from "./completion.js";
 import { language } from "./language.js";
-import { spanish } from "./phrases.js";
 import { theme } from "./theme.js";
 
 /** So many milliseconds after the last key a text is checked, unless that is quick. */
@@ -129,9 +128,9 @@ globalThis.meniscusEditor = (changed, propose, moved) => {
       rest();
       view.dispatch({ effects: words.reconfigure(phrases) });
     },
-    /** The name of the text for screen readers, and the language of the editor's own words. */
-    speak(label, tag) {
-      phrases = [EditorState.phrases.of(tag === "es" ? spanish : {}), EditorView.contentAttributes.of({ "aria-label": label, "aria-describedby": "editor-keys" })];
+    /** The name of the text for screen readers, and the editor's own texts by their English ones. */
+    speak(label, own) {
+      phrases = [EditorState.phrases.of(own), EditorView.contentAttributes.of({ "aria-label": label, "aria-describedby": "editor-keys" })];
       view.dispatch({ effects: words.reconfigure(phrases) });
     },
     /** Marks what was found in the text shown: `{ from, to, severity, message }`, in UTF-16. */

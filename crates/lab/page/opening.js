@@ -8,12 +8,26 @@ globalThis.opening = {
   // Element to be pressed in the laboratory.
   pressed: "",
   begin() {
-    if (isHome()) start().then(follow).catch(failed);
-    else takeOver();
+    if (!isHome()) {
+      opening.offer();
+      takeOver();
+      return;
+    }
+    start()
+      .then(follow)
+      .catch((error) => {
+        opening.offer();
+        failed(error);
+      });
   },
-  // The module of the player as text, for pages that the laboratory publishes.
-  async module() {
-    const part = document.getElementById("module");
+  // Called by the player when it shows the simulation, with the function that hands it over; without one if there is none.
+  offer(give) {
+    opening.give = give;
+    offered();
+  },
+  // A part of the player as text, for pages that the laboratory publishes.
+  async part(id) {
+    const part = document.getElementById(id);
     const bytes = await packed(part);
     return part.textContent || (bytes.toBase64?.() ?? btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")));
   },
@@ -91,12 +105,15 @@ const load = async () => {
   ]);
   return module;
 };
+// Until the player has offered what it shows.
+let offered;
+const isOffered = new Promise((done) => (offered = done));
 let taken;
 // Starts the laboratory, which takes over what the player shows.
 const takeOver = () => {
   compiled ??= load();
   taken ??= compiled.then(async (module) => {
-    await firstFrame;
+    await Promise.all([firstFrame, isOffered, texts.load(`laboratory-texts-${document.documentElement.lang}`)]);
     listening.abort();
     return laboratory({ module_or_path: module });
   });

@@ -7,7 +7,7 @@ use crate::{
 };
 use view::page::opening::{Handed, Opening};
 use view::views::*;
-use view::{browser, page::everything, page::shell, stage};
+use view::{browser, page::everything, page::shell, page::texts, stage};
 use web_sys::HtmlElement;
 
 /// Starts the laboratory in the element `lab`.
@@ -15,12 +15,20 @@ pub fn start() {
     let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
     // The documents are read while the player still shows its simulation.
     drop(library::home());
-    if let Some(handed) = Opening::of_page().and_then(|opening| opening.take()) {
-        return take_over(handed, &place);
-    }
+    let Some(opening) = Opening::of_page().filter(Opening::is_offered) else { return open(place) };
+    let language = opening.language();
+    texts::when_there(texts::LABORATORY, language, move || match opening.take() {
+        Some(handed) => take_over(handed, &place),
+        None => open(place),
+    });
+}
+
+/// Opens what the address names.
+fn open(place: HtmlElement) {
     let embedding = shell::embedding();
     let language = shell::language(&embedding);
     wasm_bindgen_futures::spawn_local(async move {
+        texts::load(texts::LABORATORY, language).await;
         // A link may contain its document, which the browser must inflate.
         let arrival = links::first().await;
         place.set_inner_html("");

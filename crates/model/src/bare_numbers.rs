@@ -26,20 +26,11 @@ pub fn in_declared_unit(
 fn remark(name: &str, value: &Expression, number: f64, unit: &Unit) -> Diagnostic {
     let span = value.span;
     let (declared, coherent) = (format!("{} [{unit}]", shortest(number)), si(number, unit));
-    let message = words!(
-        "a bare number is in the unit in which `{name}` is declared: here `{declared}`",
-        "un número sin unidad está en la unidad con la que se declara `{name}`: aquí `{declared}`"
-    );
+    let message = words!("a bare number is in the unit in which `{name}` is declared: here `{declared}`");
     let diagnostic = Diagnostic::warning("bare-number", message, span)
-        .with_note(words!(
-            "as a number in SI units it would be `{coherent}`",
-            "como número en unidades del SI sería `{coherent}`"
-        ))
-        .with_hint(words!("state the unit: `{declared}`", "indica la unidad: `{declared}`"))
-        .with_hint(words!(
-            "if the SI value is meant, write `{coherent}`",
-            "si es el valor en el SI, escribe `{coherent}`"
-        ));
+        .with_note(words!("as a number in SI units it would be `{coherent}`"))
+        .with_hint(words!("state the unit: `{declared}`"))
+        .with_hint(words!("if the SI value is meant, write `{coherent}`"));
     let is_literal = match &value.kind {
         ExpressionKind::Unary(UnaryOperator::Negate, operand) => matches!(operand.kind, ExpressionKind::Number { .. }),
         kind => matches!(kind, ExpressionKind::Number { .. }),

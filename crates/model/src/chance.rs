@@ -35,14 +35,9 @@ pub(crate) fn draws(name: &str) -> bool {
 
 /// Error for a draw in a place where draws are not allowed.
 pub(crate) fn out_of_place(name: &Name) -> Diagnostic {
-    let message = words!(
-        "`{}` draws at random, and here the value would be another one at each look",
-        "`{}` sortea al azar, y aquí el valor sería otro a cada mirada",
-        name.text
-    );
+    let message = words!("`{}` draws at random, and here the value would be another one at each look", name.text);
     Diagnostic::error("draw-out-of-place", message, name.span).with_hint(words(
         "draw in the action of an event, in `every`, in `next` or in a value at the start: `discrete x = 0` and `every 1 [s] { x = normal(0, 1) }`",
-        "sortea en la acción de un evento, en `every`, en `next` o en un valor inicial: `discrete x = 0` y `every 1 [s] { x = normal(0, 1) }`",
     ))
 }
 
@@ -53,11 +48,11 @@ pub(crate) fn write_out<'a>(
 ) -> Cow<'a, [Statement]> {
     let seeds: Vec<&Name> = statements.iter().filter_map(seed).collect();
     if let [first, second, ..] = seeds.as_slice() {
-        let message = words("there is more than one seed", "hay más de una semilla");
+        let message = words("there is more than one seed");
         diagnostics.push(
             Diagnostic::error("duplicate-seed", message, second.span)
-                .with_label(first.span, words("the first is here", "la primera está aquí"))
-                .with_hint(words("one decides all draws; leave this out", "una decide todos los sorteos; omite esta")),
+                .with_label(first.span, words("the first is here"))
+                .with_hint(words("one decides all draws; leave this out")),
         );
     }
     if !statements.iter().any(has_draw) {
@@ -80,11 +75,11 @@ pub(crate) fn write_out<'a>(
     let Writer { seed, mut added, first, diagnostics: mut found, .. } = writer;
     diagnostics.append(&mut found);
     if let (None, Some(first)) = (seed, &first) {
-        let message = words("nothing gives the seed of the random draws", "nada da la semilla de los sorteos");
-        diagnostics.push(Diagnostic::error("draw-without-seed", message, *first).with_hint(words(
-            "add the statement: random seed = 1 in 1..9999 \"Seed\"",
-            "añade la sentencia: random seed = 1 in 1..9999 \"Semilla\"",
-        )));
+        let message = words("nothing gives the seed of the random draws");
+        diagnostics.push(
+            Diagnostic::error("draw-without-seed", message, *first)
+                .with_hint(words("add the statement: random seed = 1 in 1..9999 \"Seed\"")),
+        );
     }
     if first.is_none() {
         return statements;
@@ -196,10 +191,7 @@ impl Writer {
             _ => (1, "exponential(mean)"),
         };
         if takes != given {
-            let message = words!(
-                "the form is {form}; {given} is not the number of its arguments",
-                "la forma es {form}; {given} no es el número de sus argumentos"
-            );
+            let message = words!("the form is {form}; {given} is not the number of its arguments");
             self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, function.span));
         }
         takes == given

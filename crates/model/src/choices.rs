@@ -100,40 +100,32 @@ fn check(choice: &ChoiceStatement, diagnostics: &mut Vec<Diagnostic>) -> bool {
     let before = diagnostics.len();
     let Some((first, others)) = choice.alternatives.split_first() else { return false };
     if let Some(beyond) = choice.alternatives.get(limits::ALTERNATIVES) {
-        let message = words!(
-            "`{}` has more than {} alternatives",
-            "`{}` tiene más de {} alternativas",
-            choice.name.text,
-            limits::ALTERNATIVES
-        );
+        let message = words!("`{}` has more than {} alternatives", choice.name.text, limits::ALTERNATIVES);
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.text.span));
         return false;
     }
     for (index, alternative) in choice.alternatives.iter().enumerate() {
         let text = &alternative.text.text;
         if let Some(same) = choice.alternatives[..index].iter().find(|earlier| earlier.text.text == *text) {
-            let message = words!("there are two alternatives \"{text}\"", "hay dos alternativas \"{text}\"");
+            let message = words!("there are two alternatives \"{text}\"");
             let diagnostic = Diagnostic::error("duplicate-name", message, alternative.text.span);
-            diagnostics.push(diagnostic.with_label(same.text.span, words("the first is here", "la primera está aquí")));
+            diagnostics.push(diagnostic.with_label(same.text.span, words("the first is here")));
         }
         for (place, value) in alternative.values.iter().enumerate() {
             let name = &value.name.text;
             if let Some(earlier) = alternative.values[..place].iter().find(|earlier| earlier.name.text == *name) {
-                let message = words!("`{name}` is set twice", "`{name}` se fija dos veces");
+                let message = words!("`{name}` is set twice");
                 let diagnostic = Diagnostic::error("duplicate-name", message, value.name.span);
-                diagnostics.push(diagnostic.with_label(earlier.name.span, words("first here", "primero aquí")));
+                diagnostics.push(diagnostic.with_label(earlier.name.span, words("first here")));
             }
         }
     }
     for (label, first) in differing_labels(choice) {
-        let message = words("this quantity has two labels", "esta magnitud tiene dos etiquetas");
+        let message = words("this quantity has two labels");
         diagnostics.push(
             Diagnostic::error("duplicate-name", message, label.span)
-                .with_label(first.span, words("the first is here", "la primera está aquí"))
-                .with_hint(words(
-                    "a label in one of the alternatives holds for all",
-                    "una etiqueta en una de las alternativas vale para todas",
-                )),
+                .with_label(first.span, words("the first is here"))
+                .with_hint(words("a label in one of the alternatives holds for all")),
         );
     }
     for other in others {
@@ -141,14 +133,11 @@ fn check(choice: &ChoiceStatement, diagnostics: &mut Vec<Diagnostic>) -> bool {
         for (has, lacks) in [(first, other), (other, first)] {
             for value in has.values.iter().filter(|value| !defines(&lacks.values, &value.name.text)) {
                 let (name, text) = (&value.name.text, &lacks.text.text);
-                let message = words!("\"{text}\" does not define `{name}`", "\"{text}\" no define `{name}`");
+                let message = words!("\"{text}\" does not define `{name}`");
                 diagnostics.push(
                     Diagnostic::error("choice-incomplete", message, lacks.text.span)
-                        .with_label(value.name.span, words("it is defined here", "se define aquí"))
-                        .with_hint(words(
-                            "every alternative defines the same names",
-                            "todas las alternativas definen los mismos nombres",
-                        )),
+                        .with_label(value.name.span, words("it is defined here"))
+                        .with_hint(words("every alternative defines the same names")),
                 );
             }
         }

@@ -49,11 +49,7 @@ pub fn refuse_length(parts: &[Range<usize>]) -> Option<Diagnostic> {
         return None;
     }
     let start = parts.first().map_or(0, |part| part.start);
-    let message = words!(
-        "the model has {length} bytes; {} are the most",
-        "el modelo tiene {length} bytes; el máximo son {}",
-        limits::SOURCE
-    );
+    let message = words!("the model has {length} bytes; {} are the most", limits::SOURCE);
     Some(Diagnostic::error("model-too-large", message, Span::new(start, start)))
 }
 
@@ -79,8 +75,7 @@ pub fn check(statements: Vec<Statement>, mut diagnostics: Vec<Diagnostic>) -> (O
 
 fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<Diagnostic>) -> Option<Checked> {
     if let Some(beyond) = statements.get(limits::STATEMENTS) {
-        let message =
-            words!("the model has more than {} statements", "el modelo tiene más de {} sentencias", limits::STATEMENTS);
+        let message = words!("the model has more than {} statements", limits::STATEMENTS);
         diagnostics.push(Diagnostic::error("model-too-large", message, beyond.span));
         return None;
     }
@@ -126,11 +121,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     let states: u32 = unknowns.iter().map(|unknown| unknown.highest).sum();
     if states as usize > limits::STATES {
         let span = unknowns.last().map(|unknown| unknown.span).unwrap_or_default();
-        let message = words!(
-            "the model has {states} states; {} are the most",
-            "el modelo tiene {states} estados; el máximo son {}",
-            limits::STATES
-        );
+        let message = words!("the model has {states} states; {} are the most", limits::STATES);
         diagnostics.push(Diagnostic::error("model-too-large", message, span));
     }
     check_names(&declarations, &unknowns, &sizes, diagnostics);

@@ -81,9 +81,9 @@ impl Fix {
         let old = source.get(span.range()).unwrap_or_default().trim();
         let new = text.trim();
         match (old.is_empty(), new.is_empty()) {
-            (true, _) => words!("insert `{new}`", "insertar `{new}`"),
-            (false, true) => words!("remove `{old}`", "quitar `{old}`"),
-            (false, false) => words!("replace `{old}` by `{new}`", "cambiar `{old}` por `{new}`"),
+            (true, _) => words!("insert `{new}`"),
+            (false, true) => words!("remove `{old}`"),
+            (false, false) => words!("replace `{old}` by `{new}`"),
         }
     }
 }
@@ -175,7 +175,7 @@ impl Diagnostic {
     /// Suggests `word` in place of the text at the primary place.
     pub fn meaning(self, word: &str) -> Self {
         let span = self.span();
-        self.with_hint(words!("did you mean `{word}`?", "¿querías decir `{word}`?")).with_fix(span, word)
+        self.with_hint(words!("did you mean `{word}`?")).with_fix(span, word)
     }
 
     /// The primary place.

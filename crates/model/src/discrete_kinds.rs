@@ -142,30 +142,19 @@ fn number(value: &Expression, values: &mut Values, name: &Name, diagnostics: &mu
 }
 
 fn no_truth(name: &Name, span: Span) -> Diagnostic {
-    let message =
-        words!("`{}` is true or false, and this is neither", "`{}` es verdadero o falso, y esto no", name.text);
-    Diagnostic::error("discrete-truth", message, span).with_hint(words!(
-        "such as: {0} = true, or {0} = y > 0 [m]",
-        "por ejemplo: {0} = true, o {0} = y > 0 [m]",
-        name.text
-    ))
+    let message = words!("`{}` is true or false, and this is neither", name.text);
+    Diagnostic::error("discrete-truth", message, span)
+        .with_hint(words!("such as: {0} = true, or {0} = y > 0 [m]", name.text))
 }
 
 fn no_text(name: &Name, span: Span) -> Diagnostic {
-    let message = words!(
-        "`{}` is a text, and this is none in quotation marks",
-        "`{}` es un texto, y esto no es un texto entre comillas",
-        name.text
-    );
-    Diagnostic::error("discrete-text", message, span).with_hint(words!(
-        "such as: {0} = \"up\", or {0} = if y > 0 [m] then \"up\" else \"down\"",
-        "por ejemplo: {0} = \"arriba\", o {0} = if y > 0 [m] then \"arriba\" else \"abajo\"",
-        name.text
-    ))
+    let message = words!("`{}` is a text, and this is none in quotation marks", name.text);
+    Diagnostic::error("discrete-text", message, span)
+        .with_hint(words!("such as: {0} = \"up\", or {0} = if y > 0 [m] then \"up\" else \"down\"", name.text))
 }
 
 fn too_many_texts(name: &Name, span: Span) -> Diagnostic {
-    let message = words!("`{}` has more than {} texts", "`{}` tiene más de {} textos", name.text, limits::ALTERNATIVES);
+    let message = words!("`{}` has more than {} texts", name.text, limits::ALTERNATIVES);
     Diagnostic::error("model-too-large", message, span)
 }
 

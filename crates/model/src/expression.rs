@@ -140,14 +140,9 @@ impl<'a> Compiler<'a> {
         unit: Option<&StatedUnit>,
     ) -> Result<Compiled, Vec<Diagnostic>> {
         if !frictions(expression).is_empty() {
-            let message = words(
-                "dry friction has a value in the model only",
-                "el rozamiento seco solo tiene un valor en el modelo",
-            );
-            let diagnostic = Diagnostic::error("friction-outside", message, expression.span).with_hint(words(
-                "give it a name there, as in `F_r = coulomb(x', mu*m*g)`, and use that",
-                "dale allí un nombre, por ejemplo `F_r = coulomb(x', mu*m*g)`, y úsalo",
-            ));
+            let message = words("dry friction has a value in the model only");
+            let diagnostic = Diagnostic::error("friction-outside", message, expression.span)
+                .with_hint(words("give it a name there, as in `F_r = coulomb(x', mu*m*g)`, and use that"));
             return Err(vec![diagnostic]);
         }
         let mut check = NameCheck::outside_model(&self.scope);

@@ -18,14 +18,11 @@ pub(crate) fn warn_of_empty(statements: &[Statement], diagnostics: &mut Vec<Diag
         }
     }
     for (name, _) in groups.iter().filter(|(_, has_control)| !has_control) {
-        let message = words!(
-            "the group \"{}\" has no control: no parameter stands between it and the next group",
-            "el grupo «{}» no tiene ningún control: no hay parámetros entre él y el grupo siguiente",
-            name.text
+        let message =
+            words!("the group \"{}\" has no control: no parameter stands between it and the next group", name.text);
+        diagnostics.push(
+            Diagnostic::warning("empty-group", message, name.span)
+                .with_hint(words("put it before the parameters that belong to it, or take it away")),
         );
-        diagnostics.push(Diagnostic::warning("empty-group", message, name.span).with_hint(words(
-            "put it before the parameters that belong to it, or take it away",
-            "ponlo delante de los parámetros que le pertenecen o quítalo",
-        )));
     }
 }

@@ -31,15 +31,11 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
     let mut targets: HashMap<&str, Span> = HashMap::new();
     for (span, Action { name, .. }) in statements.iter().flat_map(next) {
         if let Some(first) = targets.insert(&name.text, name.span) {
-            let message = words!(
-                "the next value of `{}` is given twice",
-                "el valor siguiente de `{}` se da dos veces",
-                name.text
-            );
+            let message = words!("the next value of `{}` is given twice", name.text);
             diagnostics.push(
                 Diagnostic::error("duplicate-next", message, span)
-                    .with_label(first, words("first here", "primero aquí"))
-                    .with_hint(words("keep one of them", "deja solo uno")),
+                    .with_label(first, words("first here"))
+                    .with_hint(words("keep one of them")),
             );
         }
     }
@@ -53,12 +49,11 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
             _ => false,
         };
         if !statements.iter().any(gives) {
-            let message = words!("`{}(0)` is not given", "falta `{}(0)`", name.text);
-            diagnostics.push(Diagnostic::error("missing-initial-value", message, name.span).with_hint(words!(
-                "{}(0) = 0",
-                "{}(0) = 0",
-                name.text
-            )));
+            let message = words!("`{}(0)` is not given", name.text);
+            diagnostics.push(
+                Diagnostic::error("missing-initial-value", message, name.span)
+                    .with_hint(words!("{}(0) = 0", name.text)),
+            );
         }
     }
     let mut event: Option<usize> = None;
@@ -113,19 +108,14 @@ fn each_count(span: Span) -> StatementKind {
 
 fn in_a_flow(span: Span, action: &Action) -> Diagnostic {
     let name = &action.name.text;
-    let message = words(
-        "`next` needs an independent variable that counts; here it flows",
-        "`next` necesita una variable independiente que cuente; aquí fluye",
-    );
+    let message = words("`next` needs an independent variable that counts; here it flows");
     let value = crate::notation::quote(&action.value);
     Diagnostic::error("next-in-a-flow", message, span)
         .with_hint(words!(
-            "for a map write `independent k by 1`",
-            "para una aplicación iterada escribe `independent k by 1`"
+            "for a map write `independent k by 1`"
         ))
         .with_hint(words!(
-            "for a change at equal intervals beside what flows: `discrete {name} = ...` and `every 1 [s] {{ {name} = {value} }}`",
-            "para un cambio a intervalos iguales junto a lo que fluye: `discrete {name} = ...` y `every 1 [s] {{ {name} = {value} }}`"
+            "for a change at equal intervals beside what flows: `discrete {name} = ...` and `every 1 [s] {{ {name} = {value} }}`"
         ))
 }
 
@@ -156,13 +146,9 @@ fn refuse_rates(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) {
         }
     }
     let Some((span, name, order)) = found else { return };
-    let message = words!(
-        "`{}` is a rate of change, and here the independent variable counts",
-        "`{}` es una razón de cambio, y aquí la variable independiente cuenta",
-        primed(&name, order)
+    let message = words!("`{}` is a rate of change, and here the independent variable counts", primed(&name, order));
+    diagnostics.push(
+        Diagnostic::error("rate-in-a-map", message, span)
+            .with_hint(words!("give the value at the next count: next {name} = ...")),
     );
-    diagnostics.push(Diagnostic::error("rate-in-a-map", message, span).with_hint(words!(
-        "give the value at the next count: next {name} = ...",
-        "da el valor en la cuenta siguiente: next {name} = ..."
-    )));
 }

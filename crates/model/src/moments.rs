@@ -80,10 +80,9 @@ fn event_names<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic
             continue;
         };
         if let Some(&first) = events.get(name.text.as_str()) {
-            let message = words!("two events are called `{}`", "dos eventos se llaman `{}`", name.text);
+            let message = words!("two events are called `{}`", name.text);
             diagnostics.push(
-                Diagnostic::error("duplicate-name", message, name.span)
-                    .with_label(first, words("the first is here", "el primero está aquí")),
+                Diagnostic::error("duplicate-name", message, name.span).with_label(first, words("the first is here")),
             );
         } else {
             events.insert(&name.text, name.span);
@@ -130,15 +129,12 @@ impl Mentions<'_> {
 
     fn refuse_unknown(&self, events: &HashMap<&str, Span>, diagnostics: &mut Vec<Diagnostic>) {
         for (event, member, _, span) in self.found.iter().filter(|(event, ..)| !events.contains_key(event.as_str())) {
-            let message = words!("there is no event `{event}`", "no hay ningún evento `{event}`");
-            let diagnostic = Diagnostic::error("unknown-name", message, *span).with_hint(words!(
-                "name it: when ... as {event} {{ ... }}",
-                "ponle nombre: when ... as {event} {{ ... }}"
-            ));
+            let message = words!("there is no event `{event}`");
+            let diagnostic = Diagnostic::error("unknown-name", message, *span)
+                .with_hint(words!("name it: when ... as {event} {{ ... }}"));
             diagnostics.push(if AXES.contains(&member.as_str()) {
                 diagnostic.with_hint(words!(
-                    "or, if it is a vector, give it a value as a whole: {event} = (..., ...) or {event}(0) = (..., ...)",
-                    "o, si es un vector, dale un valor completo: {event} = (..., ...) o {event}(0) = (..., ...)"
+                    "or, if it is a vector, give it a value as a whole: {event} = (..., ...) or {event}(0) = (..., ...)"
                 ))
             } else {
                 diagnostic
@@ -198,14 +194,9 @@ impl Writer {
             names.iter().map(|one| (one.name.text.clone(), format!("{event}.{}", one.name.text))).collect();
         for name in &names {
             if name.order > 0 || self.declared.contains(&name.name.text) || name.name.text == self.independent {
-                let message = words!(
-                    "`{}` has a meaning already, and `let` names something new",
-                    "`{}` ya tiene un significado, y `let` nombra algo nuevo",
-                    name.name.text
-                );
+                let message = words!("`{}` has a meaning already, and `let` names something new", name.name.text);
                 diagnostics.push(Diagnostic::error("let-of-known-name", message, name.name.span).with_hint(words!(
                     "without `let` it sets what there is; or choose another name, such as `{}_1`",
-                    "sin `let` se fija lo que ya existe; o elige otro nombre, por ejemplo `{}_1`",
                     name.name.text
                 )));
             }

@@ -130,35 +130,27 @@ impl Compiler<'_> {
 fn one_in_another(inner: &Expression, outer: Span) -> Diagnostic {
     let message = words!(
         "`{}` is one number of the whole run, known only at its end: it cannot stand inside another such function",
-        "`{}` es un solo número de todo el ensayo, que solo se conoce al final: no puede ir dentro de otra función así",
         quote(inner)
     );
-    Diagnostic::error("aggregate-inside", message, inner.span)
-        .with_label(outer, words("inside this one", "dentro de esta"))
-        .with_hint(words!(
+    Diagnostic::error("aggregate-inside", message, inner.span).with_label(outer, words("inside this one")).with_hint(
+        words!(
             "give what the run has been so far a name in the model, as in `so_far = {}`, and use that",
-            "dale en el modelo un nombre a lo que la simulación lleva hasta ahora, como en `so_far = {}`, y úsalo",
             quote(inner)
-        ))
+        ),
+    )
 }
 
 fn too_many(span: Span) -> Diagnostic {
-    let message = words!(
-        "a plot cannot take more than {} numbers of each run",
-        "una gráfica no puede tomar más de {} números de cada ensayo",
-        Aggregate::MOST
-    );
+    let message = words!("a plot cannot take more than {} numbers of each run", Aggregate::MOST);
     Diagnostic::error("too-large", message, span)
 }
 
 fn no_number(call: &Call) -> Diagnostic {
-    let message = words!("`{}` is taken of numbers only", "`{}` solo se toma de números", call.name);
-    Diagnostic::error("not-a-number", message, call.argument.span)
-        .with_hint(words("write `if ... then 1 else 0`", "escribe `if ... then 1 else 0`"))
+    let message = words!("`{}` is taken of numbers only", call.name);
+    Diagnostic::error("not-a-number", message, call.argument.span).with_hint(words("write `if ... then 1 else 0`"))
 }
 
 fn no_unit(span: Span) -> Diagnostic {
-    let message =
-        words("the unit of this integral is out of range", "la unidad de esta integral queda fuera de los límites");
+    let message = words("the unit of this integral is out of range");
     Diagnostic::error("dimension-overflow", message, span)
 }

@@ -69,34 +69,21 @@ impl TableStatement {
         let DrawnRange { bounds, from, until, until_span } = range;
         let (low, high, name) = (bounds.low, bounds.high, &self.name.text);
         if !(low < high && low.is_finite() && high.is_finite()) {
-            let message = words!(
-                "nothing can be drawn for `{name}`: {low} is not less than {high}",
-                "no se puede dibujar nada para `{name}`: {low} no es menor que {high}"
-            );
+            let message = words!("nothing can be drawn for `{name}`: {low} is not less than {high}");
             let diagnostic = Diagnostic::error("empty-range", message, bounds.span);
             return Some(if low > high {
-                diagnostic.with_hint(words!("write `drawn in {high}..{low}`", "escribe `drawn in {high}..{low}`"))
+                diagnostic.with_hint(words!("write `drawn in {high}..{low}`"))
             } else {
                 diagnostic
             });
         }
         if !(from < until && from.is_finite() && until.is_finite()) {
-            let message = words!(
-                "nothing can be drawn for `{name}`: it ends at {until}, not after {from}",
-                "no se puede dibujar nada para `{name}`: termina en {until}, no después de {from}"
-            );
+            let message = words!("nothing can be drawn for `{name}`: it ends at {until}, not after {from}");
             return Some(Diagnostic::error("empty-range", message, *until_span));
         }
         let point = self.points.iter().find(|point| !(low..=high).contains(&point.y))?;
-        let message = words!(
-            "the value {} lies outside the range {low}..{high} in which `{name}` is drawn",
-            "el valor {} está fuera del intervalo {low}..{high} en que se dibuja `{name}`",
-            point.y
-        );
-        Some(
-            Diagnostic::error("default-out-of-range", message, point.span)
-                .with_label(bounds.span, words("the range", "el intervalo")),
-        )
+        let message = words!("the value {} lies outside the range {low}..{high} in which `{name}` is drawn", point.y);
+        Some(Diagnostic::error("default-out-of-range", message, point.span).with_label(bounds.span, words("the range")))
     }
 
     /// The drawn curve with the values of a given curve, or 0 without one, clamped to its range. SI units.
@@ -123,12 +110,8 @@ impl TableStatement {
     fn disorder(&self) -> Diagnostic {
         let (name, argument) = (&self.name.text, &self.argument.text);
         if self.points.len() < 2 {
-            let message =
-                words!("the table `{name}` has fewer than two points", "la tabla `{name}` tiene menos de dos puntos");
-            let hint = words!(
-                "what is the same everywhere is a definition: `{name} = ...`",
-                "lo que es igual en todas partes es una definición: `{name} = ...`"
-            );
+            let message = words!("the table `{name}` has fewer than two points");
+            let hint = words!("what is the same everywhere is a definition: `{name} = ...`");
             return Diagnostic::error("table-points", message, self.name.span).with_hint(hint);
         }
         if let Some(pair) =
@@ -136,37 +119,26 @@ impl TableStatement {
         {
             let twice = pair[0].x == pair[1].x;
             let message = if twice {
-                words!(
-                    "two points of the table `{name}` have the same {argument}",
-                    "dos puntos de la tabla `{name}` tienen el mismo {argument}"
-                )
+                words!("two points of the table `{name}` have the same {argument}")
             } else {
-                words!(
-                    "in the table `{name}`, {argument} must increase from point to point",
-                    "en la tabla `{name}`, {argument} debe crecer de un punto al siguiente"
-                )
+                words!("in the table `{name}`, {argument} must increase from point to point")
             };
             let hint = if twice {
-                words(
-                    "for a jump write `steps table`, or move one of the points a little",
-                    "para un salto escribe `steps table`, o mueve un poco uno de los puntos",
-                )
+                words("for a jump write `steps table`, or move one of the points a little")
             } else {
-                words("put the points into order", "pon los puntos en orden")
+                words("put the points into order")
             };
             return Diagnostic::error("table-order", message, pair[1].span)
-                .with_label(pair[0].span, words("the point before", "el punto anterior"))
+                .with_label(pair[0].span, words("the point before"))
                 .with_hint(hint);
         }
-        let message =
-            words!("a number of the table `{name}` is too large", "un número de la tabla `{name}` es demasiado grande");
+        let message = words!("a number of the table `{name}` is too large");
         Diagnostic::error("number-too-large", message, self.name.span)
     }
 }
 
 /// The error of a table with too many points.
 pub(crate) fn too_many_points(span: Span) -> Diagnostic {
-    let message =
-        words!("a table has at most {} points", "una tabla tiene como máximo {} puntos", limits::TABLE_POINTS);
+    let message = words!("a table has at most {} points", limits::TABLE_POINTS);
     Diagnostic::error("model-too-large", message, span)
 }

@@ -27,12 +27,11 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
         {
             let (interval, from) = *every;
             if is_nothing(&interval) {
-                let message =
-                    words("an event cannot happen at intervals of 0", "un evento no puede ocurrir a intervalos de 0");
-                diagnostics.push(Diagnostic::error("interval-of-zero", message, interval.span).with_hint(words(
-                    "write an interval above 0, such as `every 0.1 [s]`",
-                    "escribe un intervalo mayor que 0, por ejemplo `every 0.1 [s]`",
-                )));
+                let message = words("an event cannot happen at intervals of 0");
+                diagnostics.push(
+                    Diagnostic::error("interval-of-zero", message, interval.span)
+                        .with_hint(words("write an interval above 0, such as `every 0.1 [s]`")),
+                );
             }
             diagnostics.extend(ends_at_zero(statements, &interval));
             let ticks = Ticks {
@@ -69,12 +68,8 @@ fn ends_at_zero(statements: &[Statement], interval: &Expression) -> Option<Diagn
     if is_above(parameter.value) && parameter.range.as_ref().is_none_or(|range| is_above(range.low)) {
         return None;
     }
-    let message = words!(
-        "`{name}` can be 0, and at intervals of 0 an event does not happen",
-        "`{name}` puede ser 0, y a intervalos de 0 un evento no ocurre"
-    );
-    let hint =
-        words!("let the range of `{name}` begin above 0", "haz que el intervalo de `{name}` empiece por encima de 0");
+    let message = words!("`{name}` can be 0, and at intervals of 0 an event does not happen");
+    let hint = words!("let the range of `{name}` begin above 0");
     Some(Diagnostic::warning("interval-of-zero", message, interval.span).with_hint(hint))
 }
 

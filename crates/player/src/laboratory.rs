@@ -3,13 +3,15 @@
 
 use crate::page::damaged;
 use crate::simulation::{self, Simulation};
+use play::Embedding;
 use std::rc::Rc;
 use sycamore_reactive::create_root;
+use units::Language;
 use view::page::everything;
 use view::page::opening::{self, Handed, Opening};
 use view::panel::{self, Tab};
 use view::views::*;
-use view::{App, browser, page::header, page::shell, page::welcome, panel::tabs, stage};
+use view::{App, browser, page::header, page::shell, page::texts, page::welcome, panel::tabs, stage};
 use web_sys::HtmlElement;
 
 /// Key prefix of the state in which the laboratory left a document.
@@ -20,6 +22,11 @@ pub fn open(opening: Opening) {
     let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
     let embedding = shell::embedding();
     let language = shell::language(&embedding);
+    texts::when_there(texts::PLAYER, language, move || show(place, embedding, language, opening));
+}
+
+/// Shows the page, and offers its simulation to the laboratory.
+fn show(place: HtmlElement, embedding: Embedding, language: Language, opening: Opening) {
     place.set_inner_html("");
     let opening = Rc::new(opening);
     let mut shown = None;
@@ -35,15 +42,17 @@ pub fn open(opening: Opening) {
         };
         sycamore_web::render_in_scope(view, &place);
     });
-    let Some((app, simulation)) = shown else { return };
-    opening.offer(move || {
-        let handed = Handed::of(app);
-        opening::end(app);
-        place.set_inner_html("");
-        root.dispose();
-        simulation.play.replace(None);
-        handed
+    let give = shown.map(|(app, simulation)| {
+        move || {
+            let handed = Handed::of(app);
+            opening::end(app);
+            place.set_inner_html("");
+            root.dispose();
+            simulation.play.replace(None);
+            handed
+        }
     });
+    opening.offer(give);
 }
 
 /// Restores the state in the address, otherwise that of the last visit.

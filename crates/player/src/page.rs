@@ -2,15 +2,17 @@
 
 use crate::simulation::{self, Simulation};
 use crate::{answers, hand_in, height, site, source};
-use play::PagePart;
+use play::{Embedding, PagePart};
+use units::Language;
 use view::browser::{self, address, fragment, is_heading};
 use view::panel::Tab;
 use view::views::*;
-use view::{App, page::header, page::shell, panel, pieces::icons, stage};
+use view::{App, page::header, page::shell, page::texts, panel, pieces::icons, stage};
+use web_sys::HtmlElement;
 
 /// Starts the page in the element `lab`.
 pub fn start() {
-    let Some(place) = browser::by_id::<web_sys::HtmlElement>("lab") else { return };
+    let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
     let embedding = shell::embedding();
     if embedding.hides(PagePart::Head)
         && let Some(root) = document().document_element()
@@ -21,6 +23,11 @@ pub fn start() {
         height::tell();
     }
     let language = shell::language(&embedding);
+    texts::when_there(texts::PLAYER, language, move || show(&place, embedding, language));
+}
+
+/// Shows the page.
+fn show(place: &HtmlElement, embedding: Embedding, language: Language) {
     place.set_inner_html("");
     let page = move || {
         let (app, simulation, runs) = simulation::open(Simulation::new(embedding), language);
@@ -34,7 +41,7 @@ pub fn start() {
         let _ = simulation.app.set(app);
         shell::view(app, move || if runs { content(app, simulation) } else { damaged(app) })
     };
-    sycamore_web::render_to(page, &place);
+    sycamore_web::render_to(page, place);
 }
 
 fn content(app: App, simulation: &'static Simulation) -> View {

@@ -93,7 +93,7 @@ fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
 pub(crate) fn setup(text: &str) -> Result<(document::Document, Setup), String> {
     let opened = document::open(text, &[]);
     let document = opened.document.ok_or_else(|| {
-        let messages = opened.diagnostics.iter().map(|(_, diagnostic)| &*diagnostic.message.english);
+        let messages = opened.diagnostics.iter().map(|(_, diagnostic)| diagnostic.message.english());
         messages.collect::<Vec<_>>().join("; ")
     })?;
     let setup = Setup::of(&document.program);

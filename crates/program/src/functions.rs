@@ -151,12 +151,12 @@ impl Function {
     /// Accepted number of arguments as text: `1 argument`, `2 arguments`, `2 or more arguments`.
     pub fn arity(&self) -> Words {
         match (self.least, self.most) {
-            (1, 1) => words("1 argument", "1 argumento"),
-            (least, most) if least == most => words!("{least} arguments", "{least} argumentos"),
+            (1, 1) => words("1 argument"),
+            (least, most) if least == most => words!("{least} arguments"),
             (least, most) if least + 1 == most => {
-                words!("{least} or {most} arguments", "{least} o {most} argumentos")
+                words!("{least} or {most} arguments")
             }
-            (least, _) => words!("{least} or more arguments", "{least} o más argumentos"),
+            (least, _) => words!("{least} or more arguments"),
         }
     }
 

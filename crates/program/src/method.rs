@@ -78,17 +78,14 @@ impl UnknownMethod {
         let Self(name) = self;
         let [first @ .., last] = Method::ALL.map(Method::name);
         let first = first.join(", ");
-        words!(
-            "there is no method `{name}`; the methods are {first} and {last}",
-            "no hay ningún método `{name}`; los métodos son {first} y {last}"
-        )
+        words!("there is no method `{name}`; the methods are {first} and {last}")
     }
 }
 
 /// The English message.
 impl fmt::Display for UnknownMethod {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.words().english)
+        formatter.write_str(&self.words().english())
     }
 }
 

@@ -82,9 +82,16 @@ impl Program {
         self.speed.clone().unwrap_or_else(|| Speed::chosen(until, &independent.unit))
     }
 
-    /// The edition in `language`, or that of the document if there is none.
+    /// The edition in `language`, or else in a variety of it (`pt-BR` for `pt`), or that of the document if there is none.
     pub fn edition(&self, language: &str) -> &Edition {
-        self.editions.iter().find(|edition| edition.language == language).unwrap_or(&self.editions[0])
+        let own = self.editions.iter().find(|edition| edition.language == language);
+        let variety = || self.editions.iter().find(|edition| primary(&edition.language) == primary(language));
+        own.or_else(variety).unwrap_or(&self.editions[0])
+    }
+
+    /// True if the document is written in `language` or in a variety of it.
+    pub fn is_in(&self, language: &str) -> bool {
+        self.languages().any(|own| primary(own) == primary(language))
     }
 
     /// Translation of a text of the document into `language`; the original if there is none. Texts are labels, titles of
@@ -131,6 +138,11 @@ impl Program {
         let edition = self.edition(language);
         edition.survey.get(index).unwrap_or(&self.editions[0].survey[index])
     }
+}
+
+/// The language of a tag, without its variety.
+fn primary(tag: &str) -> String {
+    tag.split('-').next().unwrap_or_default().to_ascii_lowercase()
 }
 
 /// The parts of a document that differ between languages.

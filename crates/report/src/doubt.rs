@@ -16,13 +16,10 @@ pub fn doubts(outcome: &Outcome, task: &Task, independent: (&str, &Unit), langua
 }
 
 fn undersampled(record: usize, task: &Task, language: Language) -> String {
-    let text = language.pick(
+    let text = language.say(
         "The fitted curve oscillates faster than the sampling can show: it turns more than once between two values. A slower \
          oscillation can pass through the same values (aliasing). Give the frequency a start value or a range below half the \
          sampling rate, and fit again.",
-        "La curva ajustada oscila más rápido de lo que el muestreo puede mostrar: cambia de sentido más de una vez entre dos valores. \
-         Una oscilación más lenta puede pasar por los mismos valores (aliasing). Da a la frecuencia un valor inicial o un intervalo por \
-         debajo de la mitad de la frecuencia de muestreo y ajusta de nuevo.",
     );
     [&of_record(Some(record), task), text].concat()
 }
@@ -35,12 +32,8 @@ fn at_end(one: &Estimate, task: &Task, language: Language) -> String {
         &one.name,
         " = ",
         &value,
-        language.pick::<&str>(
-            " is in doubt: it stands at an end of the range in which it was searched, and a better value may lie beyond. It has no \
-             standard error, and those of the other parameters take it for exact. Widen its range, or check the theory and the units.",
-            " es dudoso: está en un extremo del intervalo en que se buscó, y puede haber un valor mejor más allá. No tiene error estándar, \
-             y los de los demás parámetros lo toman por exacto. Amplía su intervalo o revisa la teoría y las unidades.",
-        ),
+        language.say(" is in doubt: it stands at an end of the range in which it was searched, and a better value may lie beyond. It has no \
+             standard error, and those of the other parameters take it for exact. Widen its range, or check the theory and the units."),
     ]
     .concat()
 }

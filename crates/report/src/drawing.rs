@@ -131,15 +131,15 @@ fn draw(
     let value_unit = if upper { unit_text(&fit.unit.text) } else { columns.unit.clone() };
     let shown = if upper { observed } else { ["Δ", &observed].concat() };
     let what = if upper {
-        language.pick(": measured values and fitted curve against ", ": valores medidos y curva ajustada frente a ")
+        language.say(": measured values and fitted curve against ")
     } else {
-        language.pick(": measured minus fitted, against ", ": medido menos ajustado, frente a ")
+        language.say(": measured minus fitted, against ")
     };
     let description = [&shown, what, &name].concat();
     let zero = vec![0.0; columns.times.len()];
     let [used, unused, outlying] = &columns.points;
     let outside = !unused[0].is_empty();
-    let named = |english, spanish| if upper { language.pick(english, spanish) } else { "" };
+    let named = |words: &'static str| if upper { words } else { "" };
     let of_points = |points, label, colour| {
         let [x, values, errors, residuals, residual_errors]: &[Vec<f64>; 5] = points;
         let (y, spread) = if upper { (values, errors) } else { (residuals, residual_errors) };
@@ -149,17 +149,17 @@ fn draw(
         let (x, spread) = (&columns.times, &columns.spread[usize::from(!upper)]);
         Series { label, colour: CURVE, style, x, y, spread, ..Series::default() }
     };
-    let mut series = vec![of_points(used, named("measured", "medido"), DATA)];
+    let mut series = vec![of_points(used, named(language.say("measured")), DATA)];
     if outside {
-        series.push(of_points(unused, named("not fitted", "sin ajustar"), UNUSED));
+        series.push(of_points(unused, named(language.say("not fitted")), UNUSED));
     }
     if !outlying[0].is_empty() {
-        series.push(of_points(outlying, named("outlier", "atípico"), OUTLIER));
+        series.push(of_points(outlying, named(language.say("outlier")), OUTLIER));
     }
     if upper {
-        series.push(of_curve(named("fitted", "ajustado"), Style::Line, &columns.fitted));
+        series.push(of_curve(named(language.say("fitted")), Style::Line, &columns.fitted));
         if outside {
-            series.push(of_curve(named("predicted", "predicho"), Style::Kept(0), &columns.predicted));
+            series.push(of_curve(named(language.say("predicted")), Style::Kept(0), &columns.predicted));
         }
     } else {
         series.insert(0, of_curve("", Style::Line, &zero));

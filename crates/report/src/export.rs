@@ -20,11 +20,11 @@ pub fn csv(report: &Report<'_>, decimal_comma: bool) -> String {
 pub fn workbook(report: &Report<'_>) -> Vec<u8> {
     let language = report.language;
     let (headers, columns) = data(report);
-    let data = sheet(language.pick("Data", "Datos"), &headers, &columns);
+    let data = sheet(language.say("Data"), &headers, &columns);
     let (headers, columns) = curves(report);
     let mut sheets = vec![results(report), data];
     if !columns.is_empty() {
-        sheets.push(sheet(language.pick("Curves", "Curvas"), &headers, &columns));
+        sheets.push(sheet(language.say("Curves"), &headers, &columns));
     }
     sheets.push(correlations(report));
     sheets.push(about(report));
@@ -66,13 +66,13 @@ fn data(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
         let name = |what: &str| [&fit.name, " ", what].concat();
         let shown = |values: &[f64]| values.iter().map(|si| fit.unit.from_si(*si)).collect::<Vec<f64>>();
         let unit = fit.unit.text.as_str();
-        headers.push(heading(report, fit.record, &name(language.pick("measured", "medido")), unit));
+        headers.push(heading(report, fit.record, &name(language.say("measured")), unit));
         columns.push(shown(&fit.measured));
-        headers.push(heading(report, fit.record, &name(language.pick("fitted", "ajustado")), unit));
+        headers.push(heading(report, fit.record, &name(language.say("fitted")), unit));
         columns.push(shown(&fit.fitted));
-        headers.push(heading(report, fit.record, &name(language.pick("residual", "residuo")), unit));
+        headers.push(heading(report, fit.record, &name(language.say("residual")), unit));
         columns.push(residuals(fit));
-        headers.push(heading(report, fit.record, &name(language.pick("used", "usado")), ""));
+        headers.push(heading(report, fit.record, &name(language.say("used")), ""));
         columns.push(fit.inside.iter().map(|inside| f64::from(u8::from(*inside))).collect());
     }
     (headers, columns)
@@ -98,7 +98,7 @@ fn curves(report: &Report<'_>) -> (Vec<String>, Vec<Vec<f64>>) {
         }
         headers.push(heading(report, trace.record, &fit.name, &fit.unit.text));
         columns.push(trace.values.iter().map(|si| fit.unit.from_si(*si)).collect());
-        let name = [&fit.name, language.pick::<&str>(" standard error", " error estándar")].concat();
+        let name = [&fit.name, language.say(" standard error")].concat();
         headers.push(heading(report, trace.record, &name, &fit.unit.text));
         columns.push(trace.stderr.iter().map(|si| size(&fit.unit, *si)).collect());
     }
@@ -110,17 +110,14 @@ pub fn results(report: &Report<'_>) -> Sheet {
     let outcome = report.outcome;
     let mut rows: Vec<Vec<Cell>> = vec![
         [
-            language.pick("Symbol", "Símbolo"),
-            language.pick("Quantity", "Magnitud"),
-            language.pick("Record", "Registro"),
-            language.pick("Value", "Valor"),
-            language.pick("Standard error", "Error estándar"),
-            language.pick(
-                "Standard error if residuals were independent",
-                "Error estándar si los residuos fueran independientes",
-            ),
-            language.pick("Unit", "Unidad"),
-            language.pick("Rounded", "Redondeado"),
+            language.say("Symbol"),
+            language.say("Quantity"),
+            language.say("Record"),
+            language.say("Value"),
+            language.say("Standard error"),
+            language.say("Standard error if residuals were independent"),
+            language.say("Unit"),
+            language.say("Rounded"),
         ]
         .map(Cell::from)
         .to_vec(),
@@ -133,27 +130,18 @@ pub fn results(report: &Report<'_>) -> Sheet {
         let value = value.map_or(Cell::Empty, Cell::Number);
         rows.push(vec![Cell::Empty, name.into(), Cell::Empty, value, Cell::Empty, Cell::Empty, unit.into()]);
     };
-    say(language.pick("Values", "Valores"), Some(outcome.n as f64), "");
-    say(language.pick("Degrees of freedom", "Grados de libertad"), Some(outcome.dof as f64), "");
-    say(
-        language.pick("Root mean square residual", "Residuo cuadrático medio"),
-        Some(size(&outcome.rmse_unit, outcome.rmse)),
-        &unit,
-    );
-    say(language.pick("Reduced chi-square", "Chi cuadrado reducido"), outcome.chi2_reduced, "");
+    say(language.say("Values"), Some(outcome.n as f64), "");
+    say(language.say("Degrees of freedom"), Some(outcome.dof as f64), "");
+    say(language.say("Root mean square residual"), Some(size(&outcome.rmse_unit, outcome.rmse)), &unit);
+    say(language.say("Reduced chi-square"), outcome.chi2_reduced, "");
     say("R²", Some(outcome.r2).filter(|_| outcome.reweighted.is_none()), "");
     say("AICc", outcome.aicc, "");
     say("BIC", Some(outcome.bic), "");
     say("Durbin-Watson", Some(outcome.durbin_watson), "");
-    say(
-        language.pick("Correlation of neighbouring residuals", "Correlación de residuos vecinos"),
-        Some(outcome.autocorrelation),
-        "",
-    );
+    say(language.say("Correlation of neighbouring residuals"), Some(outcome.autocorrelation), "");
     for fit in &outcome.observations {
         if let Some(outside) = fit.outside {
-            let name =
-                [language.pick("Root mean square predicted: ", "Media cuadrática predicha: "), &fit.name].concat();
+            let name = [language.say("Root mean square predicted: "), &fit.name].concat();
             let name = heading(report, fit.record, &name, "");
             say(&name, Some(size(&fit.unit, outside.rmse)), &fit.unit.text);
         }
@@ -162,7 +150,7 @@ pub fn results(report: &Report<'_>) -> Sheet {
     rows.push(vec![Cell::Empty, outcome.verdict_text(language).into()]);
     rows.extend(report.doubts().into_iter().chain(report.remarks()).map(|remark| vec![Cell::Empty, remark.into()]));
     rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(language).into()]));
-    Sheet { name: language.pick("Results", "Resultados").to_owned(), rows, header: true }
+    Sheet { name: language.say("Results").to_owned(), rows, header: true }
 }
 
 fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
@@ -194,26 +182,26 @@ fn correlations(report: &Report<'_>) -> Sheet {
         cells.extend(values.iter().map(|value| Cell::Number(*value)));
         rows.push(cells);
     }
-    Sheet { name: language.pick("Correlations", "Correlaciones").to_owned(), rows, header: true }
+    Sheet { name: language.say("Correlations").to_owned(), rows, header: true }
 }
 
 fn about(report: &Report<'_>) -> Sheet {
     let language = report.language;
     let line = |name: &str, value: &str| vec![Cell::from(name), Cell::from(value)];
     let mut rows = vec![
-        line(language.pick("Title", "Título"), &report.document.program.edition(language.tag()).title),
-        line(language.pick("Theory", "Teoría"), report.document_name),
-        line(language.pick("Command", "Orden"), report.command),
-        line(language.pick("Program", "Programa"), &["Meniscus ", report.version].concat()),
-        line(language.pick("Date", "Fecha"), report.date),
+        line(language.say("Title"), &report.document.program.edition(language.tag()).title),
+        line(language.say("Theory"), report.document_name),
+        line(language.say("Command"), report.command),
+        line(language.say("Program"), &["Meniscus ", report.version].concat()),
+        line(language.say("Date"), report.date),
     ];
     for (number, record) in report.task.records.iter().enumerate() {
-        rows.push(line(language.pick("Data", "Datos"), &record.name));
+        rows.push(line(language.say("Data"), &record.name));
         let notes = report.notes.get(number).map_or(&[][..], Vec::as_slice);
         rows.extend(notes.iter().map(|note| line("", note)));
     }
     rows.push(Vec::new());
     let source = report.document.source.lines();
     rows.extend(source.map(|text| line("", text)));
-    Sheet { name: language.pick("About", "Origen").to_owned(), rows, header: false }
+    Sheet { name: language.say("About").to_owned(), rows, header: false }
 }

@@ -16,17 +16,17 @@ pub fn numbers(page: &mut Page, report: &Report<'_>) {
         page.pair(term, &value);
         page.raw("</div>\n");
     };
-    pair(language.pick("Values", "Valores"), outcome.n.to_string());
-    pair(language.pick("Degrees of freedom", "Grados de libertad"), outcome.dof.to_string());
-    pair(language.pick("RMS residual", "Residuo RMS"), rmse(outcome, style));
+    pair(language.say("Values"), outcome.n.to_string());
+    pair(language.say("Degrees of freedom"), outcome.dof.to_string());
+    pair(language.say("RMS residual"), rmse(outcome, style));
     if let Some(reduced) = outcome.chi2_reduced {
-        pair(language.pick("Reduced χ²", "χ² reducido"), plain(reduced, 3, style));
+        pair(language.say("Reduced χ²"), plain(reduced, 3, style));
     }
     match &outcome.reweighted {
         None => pair("R²", near_one(outcome.r2, style)),
         Some(robust) => {
             let scale = with_unit(robust.scale, &outcome.rmse_unit, style);
-            pair(language.pick("Median scale of residuals", "Escala mediana de los residuos"), scale);
+            pair(language.say("Median scale of residuals"), scale);
         }
     }
     if let Some(aicc) = outcome.aicc {
@@ -59,10 +59,9 @@ pub fn warnings(page: &mut Page, report: &Report<'_>) {
     let outcome = report.outcome;
     let mut sentences: Vec<String> = Vec::new();
     if !outcome.converged {
-        sentences.push(escaped(language.pick(
-            "The fit did not converge: these numbers are the best found so far, not a result.",
-            "El ajuste no ha convergido: estos números son los mejores encontrados, no un resultado.",
-        )));
+        sentences.push(escaped(
+            language.say("The fit did not converge: these numbers are the best found so far, not a result."),
+        ));
     }
     sentences.extend(report.doubts().iter().map(|text| escaped(text)));
     sentences.extend(outcome.undetermined.iter().map(|one| escaped(&one.text(language))));
@@ -82,13 +81,10 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let outcome = report.outcome;
     let mut text = language
-        .pick(
+        .say(
             "The digits in parentheses are the standard error (68 %) in units of the last digits. It allows for residuals that \
              are correlated in time: it is the larger of the error of Newey and West and that of an autoregressive process of \
              order one.",
-            "Las cifras entre paréntesis son el error estándar (68 %) en unidades de las últimas cifras. Tiene en cuenta que los \
-             residuos están correlacionados en el tiempo: es el mayor entre el error de Newey y West y el de un proceso \
-             autorregresivo de orden uno.",
         )
         .to_owned();
     let ratios =
@@ -99,10 +95,12 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
         let range = if greatest - least < 0.15 {
             fixed(greatest, 1, style)
         } else {
-            [&fixed(least, 1, style), language.pick::<&str>(" to ", " a "), &fixed(greatest, 1, style)].concat()
+            [&fixed(least, 1, style), language.say(" to "), &fixed(greatest, 1, style)].concat()
         };
         text.extend([
-            language.pick(" The textbook's formula, for independent residuals, gives errors that are too small by a factor of ", " La fórmula de los libros, para residuos independientes, da errores demasiado pequeños en un factor de "),
+            language.say(
+                " The textbook's formula, for independent residuals, gives errors that are too small by a factor of ",
+            ),
             &range,
             ".",
         ]);
@@ -114,34 +112,25 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
 pub fn residuals(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let (outcome, style) = (report.outcome, language.style());
-    page.heading(language.pick("What the residuals say", "Qué dicen los residuos"));
+    page.heading(language.say("What the residuals say"));
     page.element("p", &outcome.verdict_text(language));
     report.remarks().iter().for_each(|remark| page.element("p", remark));
     page.raw("<dl class=\"steps\">");
     if let Some(runs) = outcome.runs {
         let value = [
             &runs.runs.to_string(),
-            language.pick::<&str>(
-                " runs of equal sign, where independent residuals would make ",
-                " rachas de igual signo, donde residuos independientes harían ",
-            ),
+            language.say(" runs of equal sign, where independent residuals would make "),
             &fixed(runs.expected, 0, style),
             " (",
             &fixed(runs.z, 1, style),
-            language.pick::<&str>(" standard deviations)", " desviaciones estándar)"),
+            language.say(" standard deviations)"),
         ];
-        page.pair(language.pick("Signs", "Signos"), &value.concat());
+        page.pair(language.say("Signs"), &value.concat());
     }
-    let value = [
-        &fixed(outcome.durbin_watson, 2, style),
-        language.pick::<&str>("; 2 for independent residuals", "; 2 si los residuos son independientes"),
-    ];
+    let value = [&fixed(outcome.durbin_watson, 2, style), language.say("; 2 for independent residuals")];
     page.pair("Durbin-Watson", &value.concat());
-    let value = [
-        &fixed(outcome.autocorrelation, 2, style),
-        language.pick::<&str>(" between neighbouring residuals", " entre residuos vecinos"),
-    ];
-    page.pair(language.pick("Correlation", "Correlación"), &value.concat());
+    let value = [&fixed(outcome.autocorrelation, 2, style), language.say(" between neighbouring residuals")];
+    page.pair(language.say("Correlation"), &value.concat());
     page.raw("</dl>\n");
     if outcome.observations.len() > 1 {
         by_observation(page, report);
@@ -155,10 +144,10 @@ fn by_observation(page: &mut Page, report: &Report<'_>) {
     page.table(
         "wide",
         &[
-            language.pick("Record", "Registro"),
-            language.pick("Observed", "Observado"),
-            language.pick("#Values fitted", "#Valores ajustados"),
-            language.pick("#Root mean square", "#Media cuadrática"),
+            language.say("Record"),
+            language.say("Observed"),
+            language.say("#Values fitted"),
+            language.say("#Root mean square"),
             "#R²",
         ],
     );
@@ -166,10 +155,7 @@ fn by_observation(page: &mut Page, report: &Report<'_>) {
         let used = fit.inside.iter().filter(|inside| **inside).count();
         let mut observed = symbol(&fit.name);
         if fit.derived {
-            observed += language.pick(
-                " <small>computed from another column</small>",
-                " <small>calculado a partir de otra columna</small>",
-            );
+            observed += language.say(" <small>computed from another column</small>");
         }
         let cells = [
             escaped(record(report, fit)),
@@ -197,22 +183,20 @@ pub fn prediction(page: &mut Page, report: &Report<'_>) {
     if outside.is_empty() {
         return;
     }
-    page.heading(language.pick("Prediction", "Predicción"));
-    let text = language.pick(
+    page.heading(language.say("Prediction"));
+    let text = language.say(
         "Values outside the fitted part had no say in the fit. How well they are met tells a theory from a flexible curve.",
-        "Los valores fuera de la parte ajustada no intervinieron en el ajuste. Lo bien que se aciertan distingue una teoría de \
-         una curva flexible.",
     );
     page.element("p", text);
     page.table(
         "wide",
         &[
-            language.pick("Record", "Registro"),
-            language.pick("Observed", "Observado"),
-            language.pick("#Values predicted", "#Valores predichos"),
-            language.pick("#Root mean square there", "#Media cuadrática allí"),
-            language.pick("#in the fitted part", "#en la parte ajustada"),
-            language.pick("#Ratio", "#Cociente"),
+            language.say("Record"),
+            language.say("Observed"),
+            language.say("#Values predicted"),
+            language.say("#Root mean square there"),
+            language.say("#in the fitted part"),
+            language.say("#Ratio"),
         ],
     );
     for fit in outside {

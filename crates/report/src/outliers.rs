@@ -21,7 +21,7 @@ pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), lang
         let time = named_quantity(independent.0, *fit.times.get(one.row)?, independent.1);
         let record = of_record(Some(one.record), task);
         let distance = if outcome.misled { String::new() } else { [" (", &sigmas(one.sigmas, style), " σ)"].concat() };
-        Some([&record, &value, language.pick::<&str>(" at ", " en "), &time, &distance].concat())
+        Some([&record, &value, language.say(" at "), &time, &distance].concat())
     };
     let mut list: Vec<String> = farthest.iter().take(NAMED).filter_map(named).collect();
     if list.is_empty() {
@@ -29,19 +29,15 @@ pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), lang
     }
     let more = farthest.len().saturating_sub(NAMED);
     if more > 0 {
-        list.push([&more.to_string(), language.pick::<&str>(" more", " más")].concat());
+        list.push([&more.to_string(), language.say(" more")].concat());
     }
     let one = farthest.len() == 1;
     let count = if one { String::new() } else { farthest.len().to_string() };
     let head = match (outcome.misled, one) {
-        (true, true) => {
-            language.pick("One value lies far from all others: ", "Un valor está muy lejos de todos los demás: ")
-        }
-        (true, false) => {
-            language.pick(" values lie far from all others: ", " valores están muy lejos de todos los demás: ")
-        }
-        (false, true) => language.pick("One value is an outlier: ", "Un valor es atípico: "),
-        (false, false) => language.pick(" values are outliers: ", " valores son atípicos: "),
+        (true, true) => language.say("One value lies far from all others: "),
+        (true, false) => language.say(" values lie far from all others: "),
+        (false, true) => language.say("One value is an outlier: "),
+        (false, false) => language.say(" values are outliers: "),
     };
     Some([&count, head, &language.join(&list), advice(outcome, one, language)].concat())
 }
@@ -49,28 +45,22 @@ pub fn outliers(outcome: &Outcome, task: &Task, independent: (&str, &Unit), lang
 /// Second part of the sentence about outliers: consequence and remedy.
 fn advice(outcome: &Outcome, one: bool, language: Language) -> &'static str {
     match (outcome.misled, one) {
-        (true, true) => language.pick(
+        (true, true) => language.say(
             ". It has decided the fit, and the curve does not describe the others. It may stand for a missing measurement: correct it \
              or leave it out, and fit again.",
-            ". Ha decidido el ajuste, y la curva no describe los demás. Puede representar una medición que falta: corrígelo u omítelo, y \
-             ajusta de nuevo.",
         ),
-        (true, false) => language.pick(
+        (true, false) => language.say(
             ". They have decided the fit, and the curve does not describe the others. They may stand for missing measurements: correct \
              them or leave them out, and fit again.",
-            ". Han decidido el ajuste, y la curva no describe los demás. Pueden representar mediciones que faltan: corrígelos u \
-             omítelos, y ajusta de nuevo.",
         ),
         _ if outcome.reweighted.is_some() => {
-            language.pick("; σ is the scatter of the others.", "; σ es la dispersión de los demás.")
+            language.say("; σ is the scatter of the others.")
         }
-        (false, true) => language.pick(
+        (false, true) => language.say(
             "; σ is the scatter of the others. Check it, or fit with a robust loss.",
-            "; σ es la dispersión de los demás. Revísalo o ajusta con una pérdida robusta.",
         ),
-        (false, false) => language.pick(
+        (false, false) => language.say(
             "; σ is the scatter of the others. Check them, or fit with a robust loss.",
-            "; σ es la dispersión de los demás. Revísalos o ajusta con una pérdida robusta.",
         ),
     }
 }

@@ -14,12 +14,12 @@ pub fn html(report: &Report<'_>) -> String {
     let mut page = Page::default();
     header(&mut page, report, title);
     figures(&mut page, report);
-    page.heading(language.pick("Results", "Resultados"));
+    page.heading(language.say("Results"));
     results::estimates(&mut page, report, &report.outcome.parameters, false);
     findings::errors(&mut page, report);
     findings::warnings(&mut page, report);
     if !report.outcome.derived.is_empty() {
-        page.element("h3", language.pick("What follows from them", "Lo que se deduce de ellos"));
+        page.element("h3", language.say("What follows from them"));
         results::estimates(&mut page, report, &results::once(&report.outcome.derived), true);
     }
     findings::residuals(&mut page, report);
@@ -36,10 +36,7 @@ pub fn html(report: &Report<'_>) -> String {
 fn header(page: &mut Page, report: &Report<'_>, title: &str) {
     let language = report.language;
     page.raw("<header>\n");
-    page.element(
-        "p class=\"kicker\"",
-        language.pick("Fit of a theory to measured data", "Ajuste de una teoría a datos medidos"),
-    );
+    page.element("p class=\"kicker\"", language.say("Fit of a theory to measured data"));
     page.element("h1", title);
     let mut names: Vec<String> = report.task.records.iter().map(|record| record.name.clone()).collect();
     if names.len() > 8 {
@@ -71,34 +68,28 @@ fn figures(page: &mut Page, report: &Report<'_>) {
             caption.push_str(". ");
         }
         if number == 0 {
-            caption.push_str(language.pick(
+            caption.push_str(language.say(
                 "Above the measured values and the fitted curve, below what is left over. The band is where the curve itself \
                  may lie (95 %).",
-                "Arriba, los valores medidos y la curva ajustada; abajo, lo que queda. La banda es donde puede estar la propia \
-                 curva (95 %).",
             ));
         }
         let every = drawing::thinned(fit);
         if every > 1 {
             let count = every.to_string();
-            caption.extend([
-                language.pick(" One value in ", " Se dibuja uno de cada "),
-                &count,
-                language.pick(" is drawn.", " valores."),
-            ]);
+            caption.extend([language.say(" One value in "), &count, language.say(" is drawn.")]);
         }
         page.element("figcaption", caption.trim());
         page.raw("</figure>\n");
     }
     if observations.len() > FIGURES {
-        let text = language.pick("Further observations are not drawn: ", "Otras observaciones no se dibujan: ");
+        let text = language.say("Further observations are not drawn: ");
         page.element("p class=\"note\"", &[text, &(observations.len() - FIGURES).to_string(), "."].concat());
     }
 }
 
 /// Adds the footer of a page.
 pub fn footer(page: &mut Page, language: Language, version: &str, date: &str) {
-    let mut text = [language.pick("Made with Meniscus ", "Hecho con Meniscus "), version].concat();
+    let mut text = [language.say("Made with Meniscus "), version].concat();
     if !date.is_empty() {
         text.extend([", ", date]);
     }

@@ -75,12 +75,12 @@ impl<'a> Ranking<'a> {
 pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     let language = ranking.language();
     let rows = ranking.rows();
-    let title = language.pick("Which theory do the data favour?", "¿Qué teoría prefieren los datos?");
+    let title = language.say("Which theory do the data favour?");
     let mut page = Page::default();
     let first = ranking.theories.first();
     let (version, date) = first.map_or(("", ""), |report| (report.version, report.date));
     page.raw("<header>\n");
-    page.element("p class=\"kicker\"", language.pick("Comparison of theories", "Comparación de teorías"));
+    page.element("p class=\"kicker\"", language.say("Comparison of theories"));
     page.element("h1", title);
     let names: Vec<String> =
         first.map_or_else(Vec::new, |report| report.task.records.iter().map(|record| record.name.clone()).collect());
@@ -95,14 +95,14 @@ pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     table(&mut page, language, &rows);
     caution(&mut page, language, &rows);
     residuals(&mut page, language, &rows);
-    page.heading(language.pick("What each theory finds", "Lo que encuentra cada teoría"));
+    page.heading(language.say("What each theory finds"));
     for row in &rows {
         page.element("h3", row.title);
         results::estimates(&mut page, row.report, &row.report.outcome.parameters, false);
         findings::warnings(&mut page, row.report);
     }
     if !ranking.command.is_empty() {
-        page.heading(language.pick("To repeat this", "Para repetirlo"));
+        page.heading(language.say("To repeat this"));
         page.wrapped("pre tabindex=\"0\"", &escaped(ranking.command));
     }
     page::footer(&mut page, language, version, date);
@@ -116,25 +116,25 @@ fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         return;
     };
     let quoted = |row: &Row<'_>| {
-        let [open, close] = language.pick(["“", "”"], ["«", "»"]);
+        let [open, close] = language.say_all(["“", "”"]);
         [open, row.title, close].concat()
     };
     let apart = |from: f64, to: f64| rows.iter().skip(1).filter(move |row| (from..to).contains(&row.ranked.difference));
     let favoured = match best.predicted {
-        Some(_) => language.pick("By AICc the data favour ", "Según el AICc, los datos prefieren "),
-        None => language.pick("The data favour ", "Los datos prefieren "),
+        Some(_) => language.say("By AICc the data favour "),
+        None => language.say("The data favour "),
     };
     let mut text = [favoured, &quoted(best), "."].concat();
     let alike: Vec<String> = apart(0.0, ALIKE).map(quoted).collect();
     if !alike.is_empty() {
-        let start = language.pick(" They cannot tell it from ", " No la distinguen de ");
+        let start = language.say(" They cannot tell it from ");
         text.extend([start, &language.join(&alike), "."]);
     }
     // A theory that predicts better is not ruled out.
     let better = |row: &&Row<'_>| row.predicted.zip(best.predicted).is_some_and(|(own, of_best)| own < of_best);
     let out: Vec<String> = apart(RULED_OUT, f64::MAX).filter(|row| !better(row)).map(quoted).collect();
     if !out.is_empty() {
-        text.extend([language.pick(" They rule out ", " Descartan "), &language.join(&out), "."]);
+        text.extend([language.say(" They rule out "), &language.join(&out), "."]);
     }
     let predictor = rows.iter().filter(better).min_by(|one, other| {
         one.predicted.unwrap_or(f64::INFINITY).total_cmp(&other.predicted.unwrap_or(f64::INFINITY))
@@ -144,26 +144,17 @@ fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
             let sizes = [predictor.predicted.unwrap_or(f64::NAN), of_best];
             let group = Group::of_residuals(&best.report.outcome.rmse_unit, &sizes, 3, language.style());
             text.extend([
-                language.pick(" But ", " Pero "),
+                language.say(" But "),
                 &quoted(predictor),
-                language.pick(
-                    " predicts the later values better, with an error of ",
-                    " predice mejor los valores posteriores, con un error de ",
-                ),
+                language.say(" predicts the later values better, with an error of "),
                 &group.quantity(sizes[0]),
-                language.pick(" against ", " frente a "),
+                language.say(" against "),
                 &group.quantity(sizes[1]),
-                language.pick(
-                    ". The prediction is the better judge: a flexible curve can fit well and predict badly.",
-                    ". La predicción es mejor juez: una curva flexible puede ajustar bien y predecir mal.",
-                ),
+                language.say(". The prediction is the better judge: a flexible curve can fit well and predict badly."),
             ]);
         }
         (None, Some(_)) => {
-            text.push_str(language.pick(
-                " It also predicts the later values best.",
-                " También es la que mejor predice los valores posteriores.",
-            ));
+            text.push_str(language.say(" It also predicts the later values best."));
         }
         _ => {}
     }
@@ -173,9 +164,8 @@ fn judgement(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     if warns {
         let text = match best.report.outcome.verdict() {
             Verdict::Structured | Verdict::Alternating => language
-                .pick(
+                .say(
                     "Even the best one leaves residuals that do not look random: none of these theories is the whole truth.",
-                    "Ni siquiera la mejor deja residuos que parezcan aleatorios: ninguna de estas teorías es toda la verdad.",
                 )
                 .to_owned(),
             _ => best.report.outcome.verdict_text(language),
@@ -188,15 +178,15 @@ fn table(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let style = language.style();
     let predicts = rows.iter().any(|row| row.predicted.is_some());
     let mut headings = vec![
-        language.pick("Theory", "Teoría"),
-        language.pick("#Free numbers", "#Números libres"),
-        language.pick("#RMS residual", "#Residuo RMS"),
+        language.say("Theory"),
+        language.say("#Free numbers"),
+        language.say("#RMS residual"),
         "#ΔAICc",
-        language.pick("#Evidence", "#Evidencia"),
+        language.say("#Evidence"),
         "#Durbin-Watson",
     ];
     if predicts {
-        headings.insert(3, language.pick("#Predicted", "#Predicho"));
+        headings.insert(3, language.say("#Predicted"));
     }
     page.table("wide theories", &headings);
     let Some(unit) = rows.first().map(|row| &row.report.outcome.rmse_unit) else {
@@ -233,9 +223,8 @@ fn table(page: &mut Page, language: Language, rows: &[Row<'_>]) {
 /// Adds the explanation of AICc and the effect of correlated residuals on the comparison.
 fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
     let mut text = language
-        .pick(
+        .say(
             "AICc weighs how well a theory fits against how many numbers it needs; a difference of 2 is nothing, one of 10 is much.",
-            "El AICc sopesa lo bien que ajusta una teoría y cuántos números necesita; una diferencia de 2 no es nada; una de 10, mucho.",
         )
         .to_owned();
     let worth = Ranking::worth(rows);
@@ -243,17 +232,11 @@ fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         let n = best.report.outcome.n;
         let count = plain(best.report.outcome.independent.round(), 6, language.style());
         text.extend([
-            language.pick(
-                " It supposes independent residuals. These are autocorrelated: the ",
-                " Supone residuos independientes. Estos están autocorrelacionados: los ",
-            ),
+            language.say(" It supposes independent residuals. These are autocorrelated: the "),
             &n.to_string(),
-            language.pick(" values are worth about ", " valores equivalen a unos "),
+            language.say(" values are worth about "),
             &count,
-            language.pick(
-                " independent ones. The differences and the evidence count them in that proportion.",
-                " independientes. Las diferencias y la evidencia los cuentan en esa proporción.",
-            ),
+            language.say(" independent ones. The differences and the evidence count them in that proportion."),
         ]);
     }
     page.element("p class=\"note\"", &text);
@@ -261,7 +244,7 @@ fn caution(page: &mut Page, language: Language, rows: &[Row<'_>]) {
 
 /// Adds the residuals of all theories. Those of one record share one scale.
 fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
-    page.heading(language.pick("What they leave over", "Lo que dejan sin explicar"));
+    page.heading(language.say("What they leave over"));
     let records = rows.iter().map(|row| row.report.task.records.len()).max().unwrap_or(0);
     let mut beyond = false;
     for record in 0..records {
@@ -283,15 +266,11 @@ fn residuals(page: &mut Page, language: Language, rows: &[Row<'_>]) {
         }
         if last {
             let caption = if records > 1 {
-                language.pick(
-                    "Measured minus fitted, those of one record on one scale.",
-                    "Medido menos ajustado, los de un registro en la misma escala.",
-                )
+                language.say("Measured minus fitted, those of one record on one scale.")
             } else {
-                language
-                    .pick("Measured minus fitted, all on one scale.", "Medido menos ajustado, todo en la misma escala.")
+                language.say("Measured minus fitted, all on one scale.")
             };
-            let rest = language.pick(" What lies beyond it is not drawn.", " Lo que queda fuera no se dibuja.");
+            let rest = language.say(" What lies beyond it is not drawn.");
             page.element("figcaption", &[caption, if beyond { rest } else { "" }].concat());
         }
         page.raw("</figure>\n");
@@ -305,18 +284,18 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
     let unit = rows.first().map_or("", |row| row.report.outcome.rmse_unit.text.as_str());
     let with = |name: &str| if unit.is_empty() { name.to_owned() } else { [name, " [", unit, "]"].concat() };
     let headings = vec![
-        language.pick("Theory", "Teoría").to_owned(),
-        language.pick("File", "Archivo").to_owned(),
-        language.pick("Free numbers", "Números libres").to_owned(),
-        with(language.pick("Root mean square residual", "Residuo cuadrático medio")),
-        with(language.pick("Root mean square predicted", "Media cuadrática predicha")),
+        language.say("Theory").to_owned(),
+        language.say("File").to_owned(),
+        language.say("Free numbers").to_owned(),
+        with(language.say("Root mean square residual")),
+        with(language.say("Root mean square predicted")),
         "AICc".to_owned(),
         "ΔAICc".to_owned(),
-        language.pick("Share of the evidence", "Parte de la evidencia").to_owned(),
+        language.say("Share of the evidence").to_owned(),
         "BIC".to_owned(),
         "R²".to_owned(),
         "Durbin-Watson".to_owned(),
-        language.pick("Place", "Puesto").to_owned(),
+        language.say("Place").to_owned(),
     ];
     let own = |row: &Row<'_>| {
         let outcome = row.report.outcome;
@@ -346,7 +325,7 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
 pub fn ranking_workbook(ranking: &Ranking<'_>) -> Vec<u8> {
     let language = ranking.language();
     let rows = numbers(ranking);
-    let mut sheets = vec![Sheet { name: language.pick("Theories", "Teorías").to_owned(), rows, header: true }];
+    let mut sheets = vec![Sheet { name: language.say("Theories").to_owned(), rows, header: true }];
     for row in ranking.rows() {
         let mut results = crate::export::results(row.report);
         results.name = row.title.to_owned();

@@ -34,24 +34,20 @@ fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
         let record = of_record(Some(scale.record), task);
         let away = (scale.value - 1.0) / scale.prior;
         let contradiction = [
-            language.pick::<&str>(" It is ", " Está a "),
+            language.say(" It is "),
             &sigmas(away, language.style()),
-            language.pick(
+            language.say(
                 " standard errors of the calibration away from 1: check the length that calibrates the film, and the theory.",
-                " errores estándar de la calibración de 1: revisa la longitud que calibra el vídeo, y la teoría.",
             ),
         ];
         let contradiction = if away.abs() > CONTRADICTS { contradiction.concat() } else { String::new() };
         [
             record.as_str(),
-            language.pick::<&str>("Scale of the film ", "Escala del vídeo: "),
+            language.say("Scale of the film "),
             &group.with_error(scale.value, error),
-            language.pick::<&str>(" (prior 1 ± ", " (a priori 1 ± "),
+            language.say(" (prior 1 ± "),
             &plain(scale.prior, 2, language.style()),
-            language.pick::<&str>(
-                "); the standard errors of lengths include it.",
-                "); los errores estándar de las longitudes lo incluyen.",
-            ),
+            language.say("); the standard errors of lengths include it."),
             &contradiction,
         ]
         .concat()
@@ -64,25 +60,19 @@ fn scales(outcome: &Outcome, task: &Task, language: Language) -> Vec<String> {
 fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     let robust = outcome.reweighted.as_ref()?;
     let style = language.style();
-    let mut text = [language.pick("Fitted with ", "Ajustado con "), robust.loss.name(language), ": "].concat();
+    let mut text = [language.say("Fitted with "), robust.loss.name(language), ": "].concat();
     let [less, half, count] = [robust.less, robust.half, robust.count].map(|count| count.to_string());
-    let of_all = [language.pick::<&str>(" of ", " de "), &count, language.pick(" values", " valores")].concat();
+    let of_all = [language.say(" of "), &count, language.say(" values")].concat();
     match robust.loss {
         // Tukey's loss reduces the weight of all values, so only weights below one half are counted.
-        Loss::Squares | Loss::Tukey => text.extend([
-            language.pick::<&str>("the weight is below one half for ", "el peso es menor que la mitad para "),
-            &half,
-            &of_all,
-            ".",
-        ]),
+        Loss::Squares | Loss::Tukey => {
+            text.extend([language.say("the weight is below one half for "), &half, &of_all, "."])
+        }
         Loss::Huber => text.extend([
-            language.pick::<&str>("the weight is reduced for ", "el peso es menor para "),
+            language.say("the weight is reduced for "),
             &less,
             &of_all,
-            language.pick(
-                " (of normal residuals, for 18 %), and below one half for ",
-                " (con residuos normales, para el 18 %) y menor que la mitad para ",
-            ),
+            language.say(" (of normal residuals, for 18 %), and below one half for "),
             &half,
             ".",
         ]),
@@ -94,17 +84,14 @@ fn loss(outcome: &Outcome, language: Language) -> Option<String> {
     let changes = outcome.parameters.iter().zip(&robust.least_squares).filter_map(change);
     if let Some((name, most)) = changes.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs())) {
         text.extend([
-            language.pick(" Against least squares ", " Frente a los mínimos cuadrados, "),
+            language.say(" Against least squares "),
             &name,
-            language.pick(" changes most, by ", " es lo que más cambia, en "),
+            language.say(" changes most, by "),
             &sigmas(most, style),
-            language.pick(" standard errors.", " errores estándar."),
+            language.say(" standard errors."),
         ]);
     }
-    text.push_str(language.pick(
-        " The RMS residual is that of all values; R² and χ² do not apply.",
-        " El residuo RMS es el de todos los valores; R² y χ² no proceden.",
-    ));
+    text.push_str(language.say(" The RMS residual is that of all values; R² and χ² do not apply."));
     Some(text)
 }
 
@@ -117,10 +104,8 @@ fn short(outcome: &Outcome, language: Language) -> Option<String> {
     if outcome.wanders {
         return Some(
             language
-                .pick(
+                .say(
                     "The errors cannot be told from a random walk in so short a record: take the standard errors for lower limits.",
-                    "En un registro tan corto los errores no se distinguen de un paseo aleatorio: toma los errores estándar por \
-                     límites inferiores.",
                 )
                 .to_owned(),
         );
@@ -128,19 +113,14 @@ fn short(outcome: &Outcome, language: Language) -> Option<String> {
     let certain = outcome.parameters.iter().filter(|one| one.stderr_hac.is_some());
     let factor = certain.map(|one| one.coverage_factor()).fold(2.0, f64::max);
     let text = [
-        language.pick(
-            "The record is short for the correlation of its errors: its ",
-            "El registro es corto para la correlación de sus errores: sus ",
-        ),
+        language.say("The record is short for the correlation of its errors: its "),
         &outcome.judged.to_string(),
-        language.pick(" values are worth about ", " valores equivalen a unos "),
+        language.say(" values are worth about "),
         &fixed(outcome.independent, 0, style),
-        language.pick(
-            " independent ones. The standard errors are uncertain themselves: an interval of 95 % reaches up to ",
-            " independientes. Los propios errores estándar son inciertos: un intervalo del 95 % llega hasta ",
-        ),
+        language
+            .say(" independent ones. The standard errors are uncertain themselves: an interval of 95 % reaches up to "),
         &fixed(factor, 1, style),
-        language.pick(" of them to either side (Student's t).", " de ellos a cada lado (t de Student)."),
+        language.say(" of them to either side (Student's t)."),
     ];
     Some(text.concat())
 }

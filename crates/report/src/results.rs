@@ -44,11 +44,9 @@ pub fn label(program: &Program, language: Language, estimate: &Estimate) -> Stri
     let own = estimate.parameter().is_some();
     match estimate.name.rsplit_once('_') {
         Some((name, "origin")) if !own && name == program.model.independent.name => {
-            language.pick("Reading of the clock at the start", "Lectura del reloj al empezar").to_owned()
+            language.say("Reading of the clock at the start").to_owned()
         }
-        Some((name, "offset")) if !own => {
-            [language.pick("Zero of the scale of ", "Cero de la escala de "), &name.replace('\'', "′")].concat()
-        }
+        Some((name, "offset")) if !own => [language.say("Zero of the scale of "), &name.replace('\'', "′")].concat(),
         _ => String::new(),
     }
 }
@@ -75,18 +73,15 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
     let language = report.language;
     let profiles = if derived { &[][..] } else { report.intervals };
     let mut headings = vec![
-        language.pick("Symbol", "Símbolo"),
-        language.pick("Quantity", "Magnitud"),
-        language.pick("#Value", "#Valor"),
-        language.pick("Unit", "Unidad"),
-        language.pick("#Standard error", "#Error estándar"),
-        language.pick("#if residuals were independent", "#si los residuos fueran independientes"),
+        language.say("Symbol"),
+        language.say("Quantity"),
+        language.say("#Value"),
+        language.say("Unit"),
+        language.say("#Standard error"),
+        language.say("#if residuals were independent"),
     ];
     if !profiles.is_empty() {
-        headings.push(language.pick(
-            "#68 % by profile, if residuals were independent",
-            "#68 % por perfil, si los residuos fueran independientes",
-        ));
+        headings.push(language.say("#68 % by profile, if residuals were independent"));
     }
     page.table("wide", &headings);
     let estimates = &readable_units(estimates);
@@ -125,7 +120,7 @@ fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Opti
         _ => cell(DASH),
     };
     let value = if !estimate.determined {
-        ["#<small>", language.pick("not determined", "no determinado"), "</small>"].concat()
+        ["#<small>", language.say("not determined"), "</small>"].concat()
     } else if let Some(stopped) = estimate.stopped_text(language) {
         let value = plain(estimate.unit.from_si(estimate.value), 6, style);
         ["#", &escaped(&value), " <small>", stopped, "</small>"].concat()
@@ -176,7 +171,7 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     if count < 2 || matrix.len() != count * count {
         return;
     }
-    page.heading(language.pick("Correlations", "Correlaciones"));
+    page.heading(language.say("Correlations"));
     let mut strongest: Vec<(usize, usize, f64)> = (0..count)
         .flat_map(|row| (0..row).map(move |column| (column, row)))
         .map(|(a, b)| (a, b, matrix[b * count + a]))
@@ -191,11 +186,7 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
         }
     };
     if count > MATRIX {
-        let heads = [
-            language.pick("Parameter", "Parámetro"),
-            language.pick("Correlated with", "Correlacionado con"),
-            language.pick("#Correlation", "#Correlación"),
-        ];
+        let heads = [language.say("Parameter"), language.say("Correlated with"), language.say("#Correlation")];
         page.table("", &heads);
         for (a, b, value) in strongest.into_iter().take(12) {
             page.row(&[&named(a), &named(b), &cell(&fixed(value, 3, language.style()))]);
@@ -219,13 +210,10 @@ pub fn correlations(page: &mut Page, report: &Report<'_>) {
     }
     page.end_table();
     if let Some((a, b, value)) = strongest.first().filter(|(.., value)| value.abs() > 0.9) {
-        let start = language.pick("The strongest is that of ", "La más fuerte es la de ");
-        let end = language.pick(
-            ": the data determine a combination of the two much better than either by itself.",
-            ": los datos determinan una combinación de ambos mucho mejor que cada uno por separado.",
-        );
+        let start = language.say("The strongest is that of ");
+        let end = language.say(": the data determine a combination of the two much better than either by itself.");
         let value = fixed(*value, 3, language.style());
-        page.wrapped("p", &[start, &named(*a), language.pick(" and ", " y "), &named(*b), ", ", &value, end].concat());
+        page.wrapped("p", &[start, &named(*a), language.say(" and "), &named(*b), ", ", &value, end].concat());
     }
 }
 

@@ -14,7 +14,7 @@ const MOST_ROWS: usize = 5000;
 pub fn theory(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let model = &report.document.program.model;
-    page.heading(language.pick("The theory", "La teoría"));
+    page.heading(language.say("The theory"));
     page.raw("<div class=\"equations\">");
     for equation in &report.document.program.edition(language.tag()).equations {
         page.wrapped("div", equation);
@@ -25,16 +25,8 @@ pub fn theory(page: &mut Page, report: &Report<'_>) {
     if held.is_empty() {
         return;
     }
-    page.element("h3", language.pick("Held", "Mantenido"));
-    page.table(
-        "",
-        &[
-            language.pick("Symbol", "Símbolo"),
-            language.pick("Quantity", "Magnitud"),
-            language.pick("#Value", "#Valor"),
-            language.pick("Unit", "Unidad"),
-        ],
-    );
+    page.element("h3", language.say("Held"));
+    page.table("", &[language.say("Symbol"), language.say("Quantity"), language.say("#Value"), language.say("Unit")]);
     for (index, parameter) in held {
         let label = parameter.label.as_deref().map_or("", |label| report.document.program.text(language.tag(), label));
         let mut values: Vec<f64> =
@@ -61,14 +53,14 @@ pub fn data(page: &mut Page, report: &Report<'_>) {
     let language = report.language;
     let style = language.style();
     let independent = &report.document.program.model.independent;
-    page.heading(language.pick("The data", "Los datos"));
-    let of = [&symbol(&independent.name), language.pick::<&str>(" from … to", " de … a")].concat();
+    page.heading(language.say("The data"));
+    let of = [&symbol(&independent.name), language.say(" from … to")].concat();
     page.raw("<div class=\"scroll\"><table class=\"wide\"><thead><tr>");
     for (heading, number) in [
-        (escaped(language.pick("Record", "Registro")), false),
-        (escaped(language.pick("Observed", "Observado")), false),
-        (escaped(language.pick("Values", "Valores")), true),
-        (escaped(language.pick("of which fitted", "de ellos ajustados")), true),
+        (escaped(language.say("Record")), false),
+        (escaped(language.say("Observed")), false),
+        (escaped(language.say("Values")), true),
+        (escaped(language.say("of which fitted")), true),
         (of, true),
     ] {
         page.header(if number { "scope=\"col\" class=\"n\"" } else { "scope=\"col\"" }, &heading);
@@ -101,18 +93,18 @@ pub fn data(page: &mut Page, report: &Report<'_>) {
 /// Adds everything needed to repeat the fit.
 pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
     let language = report.language;
-    page.heading(language.pick("To repeat this", "Para repetirlo"));
+    page.heading(language.say("To repeat this"));
     if !report.command.is_empty() {
         page.wrapped("pre tabindex=\"0\"", &escaped(report.command));
     }
     page.raw("<dl class=\"steps\">");
-    page.pair(language.pick("Theory", "Teoría"), &report.document_name);
+    page.pair(language.say("Theory"), &report.document_name);
     let records: Vec<String> = report.task.records.iter().map(|record| record.name.clone()).collect();
-    page.pair(language.pick("Data", "Datos"), &language.join(&records));
-    page.pair(language.pick("Varied", "Variado"), &varied(report).join(", "));
-    page.pair(language.pick("Fitted part", "Parte ajustada"), &part(report));
-    page.pair(language.pick("Method", "Método"), &method(report));
-    page.pair(language.pick("Program", "Programa"), &["Meniscus ", report.version].concat());
+    page.pair(language.say("Data"), &language.join(&records));
+    page.pair(language.say("Varied"), &varied(report).join(", "));
+    page.pair(language.say("Fitted part"), &part(report));
+    page.pair(language.say("Method"), &method(report));
+    page.pair(language.say("Program"), &["Meniscus ", report.version].concat());
     page.raw("</dl>\n");
     let mut detail = |summary: &str, text: &str| {
         page.raw("<details>");
@@ -120,11 +112,11 @@ pub fn repeat(page: &mut Page, report: &Report<'_>, csv: &str) {
         page.wrapped("pre tabindex=\"0\"", &escaped(text));
         page.raw("</details>\n");
     };
-    let source = [language.pick("The document, ", "El documento, "), report.document_name].concat();
+    let source = [language.say("The document, "), report.document_name].concat();
     detail(&source, &report.document.source);
     let rows: usize = report.outcome.observations.iter().map(|fit| fit.times.len()).sum();
     if rows <= MOST_ROWS {
-        detail(language.pick("The measured and fitted values", "Los valores medidos y ajustados"), csv);
+        detail(language.say("The measured and fitted values"), csv);
     }
 }
 
@@ -147,13 +139,13 @@ fn varied(report: &Report<'_>) -> Vec<String> {
         let number = |si: f64| plain(size(&unit, si), 8, language.style());
         let mut options = Vec::new();
         if varied.shared && report.task.records.len() > 1 {
-            options.push(language.pick("one value for all", "un valor para todos").to_owned());
+            options.push(language.say("one value for all").to_owned());
         }
         if let Some(start) = varied.start {
-            options.push([language.pick("from ", "desde "), &number(start)].concat());
+            options.push([language.say("from "), &number(start)].concat());
         }
         if let Some((low, high)) = varied.bounds {
-            options.push([language.pick("within ", "entre "), &number(low), " … ", &number(high)].concat());
+            options.push([language.say("within "), &number(low), " … ", &number(high)].concat());
         }
         if !options.is_empty() {
             text.extend([" (", &options.join(", "), ")"]);
@@ -172,9 +164,9 @@ fn part(report: &Report<'_>) -> String {
         [&number, " ", &unit_text(&independent.unit.text)].concat().trim_end().to_owned()
     };
     match (report.task.from, report.task.until) {
-        (None, None) => language.pick("all values", "todos los valores").to_owned(),
-        (Some(from), None) => [language.pick("from ", "desde "), &time(from)].concat(),
-        (None, Some(until)) => [language.pick("until ", "hasta "), &time(until)].concat(),
+        (None, None) => language.say("all values").to_owned(),
+        (Some(from), None) => [language.say("from "), &time(from)].concat(),
+        (None, Some(until)) => [language.say("until "), &time(until)].concat(),
         (Some(from), Some(until)) => [&time(from), " … ", &time(until)].concat(),
     }
 }
@@ -183,34 +175,24 @@ fn part(report: &Report<'_>) -> String {
 fn method(report: &Report<'_>) -> String {
     let language = report.language;
     let mut text = language
-        .pick(
-            "least squares (Levenberg and Marquardt), derivatives by the parameters from the model itself",
-            "mínimos cuadrados (Levenberg y Marquardt), con las derivadas respecto a los parámetros tomadas del propio modelo",
-        )
+        .say("least squares (Levenberg and Marquardt), derivatives by the parameters from the model itself")
         .to_owned();
     if !report.document.program.model.states.is_empty() {
-        text += language
-            .pick("; equations of motion integrated to 10⁻⁹", "; ecuaciones del movimiento integradas con 10⁻⁹");
+        text += language.say("; equations of motion integrated to 10⁻⁹");
     }
     let records = &report.task.records;
     let given = records.iter().flat_map(|record| &record.observations).all(|one| one.errors.is_some());
     if given {
-        text += language.pick("; weights from the given errors", "; pesos según los errores dados");
+        text += language.say("; weights from the given errors");
     } else if report.outcome.observations.len() > 1 {
-        text += language.pick(
-            "; each observation weighed by its own scatter",
-            "; cada observación, ponderada por su propia dispersión",
-        );
+        text += language.say("; each observation weighed by its own scatter");
     }
     if report.outcome.starts > 1 {
         let starts = report.outcome.starts.to_string();
-        text.extend([language.pick("; from ", "; desde "), &starts, language.pick(" starts", " comienzos")]);
+        text.extend([language.say("; from "), &starts, language.say(" starts")]);
     }
     if report.outcome.improved > 0 {
-        text += language.pick(
-            "; made again from a lower chi-square that the profile of a parameter met",
-            "; repetido desde un chi cuadrado menor que encontró el perfil de un parámetro",
-        );
+        text += language.say("; made again from a lower chi-square that the profile of a parameter met");
     }
     let mut origins = report.outcome.origins.clone();
     origins.dedup();
@@ -218,15 +200,12 @@ fn method(report: &Report<'_>) -> String {
         let independent = &report.document.program.model.independent;
         let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, language.style());
         let values: Vec<String> = origins.iter().map(reading).collect();
-        text += language.pick("; initial values refer to ", "; los valores iniciales corresponden a ");
+        text += language.say("; initial values refer to ");
         text.extend([&independent.name, " = ", &values.join("; "), " ", &unit_text(&independent.unit.text)]);
-        text += language.pick(" of the record's clock", " en el reloj del registro");
+        text += language.say(" of the record's clock");
         let early: usize = report.outcome.observations.iter().map(|fit| fit.early).sum();
         if early > 0 {
-            let rest = language.pick(
-                ", and nothing is predicted of the # values before",
-                ", y de los # valores anteriores no se predice nada",
-            );
+            let rest = language.say(", and nothing is predicted of the # values before");
             text += &rest.replace('#', &early.to_string());
         }
     }

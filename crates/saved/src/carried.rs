@@ -20,17 +20,13 @@ const MOST_SECTIONS: usize = 10_000;
 /// A page with a hand-in. `packed`: the text of the hand-in, which may be deflated with a zlib header. Its facts include
 /// [`sections`] of the page.
 pub fn carry(page: &str, packed: &[u8], language: Language) -> String {
-    let title = language.pick("To verify this", "Para comprobarlo");
-    let how = language.pick(
+    let title = language.say("To verify this");
+    let how = language.say(
         "This page carries the data and the stated values. <code>meniscus verify</code> with the name of this file computes \
          every value again from the data and compares it; so does the laboratory of Meniscus when this file is dropped on it. \
          Equal values follow from the data. This does not show who took the data or did the work.",
-        "Esta página lleva los datos y los valores declarados. <code>meniscus verify</code> con el nombre de este archivo \
-         calcula de nuevo cada valor a partir de los datos y lo compara; también lo hace el laboratorio de Meniscus cuando se \
-         suelta este archivo sobre él. Los valores iguales se siguen de los datos. Esto no muestra quién tomó los datos ni \
-         hizo el trabajo.",
     );
-    let save = language.pick("Save the data of this page", "Guardar los datos de esta página");
+    let save = language.say("Save the data of this page");
     let data = STANDARD.encode(packed);
     insert(
         page,
@@ -51,7 +47,7 @@ pub fn carry(page: &str, packed: &[u8], language: Language) -> String {
 
 /// A page that states why it carries no hand-in. `why`: a sentence.
 pub fn carry_nothing(page: &str, why: &str, language: Language) -> String {
-    let title = language.pick("To verify this", "Para comprobarlo");
+    let title = language.say("To verify this");
     insert(page, &["<h2>", title, "</h2>\n<p>", &units::markup::escaped(why), "</p>\n"])
 }
 
@@ -113,7 +109,7 @@ mod tests {
 
     #[test]
     fn a_page_gives_back_what_it_carries() {
-        for language in [Language::English, Language::Spanish] {
+        for language in [Language::English, catalogues::with(Language::Spanish)] {
             let page = carry(PAGE, b"{}", language);
             assert_eq!(carried(&page), Some((b"{}".to_vec(), sections(PAGE))));
             assert!(!page.contains("<script") && page.contains("meniscus verify"));

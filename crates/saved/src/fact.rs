@@ -31,12 +31,12 @@ impl Part {
     /// Name of the part.
     pub fn words(self) -> Words {
         match self {
-            Self::Run => words("run", "simulación"),
-            Self::Answer => words("answer", "respuesta"),
-            Self::Record => words("record", "serie de datos"),
-            Self::Film => words("film", "vídeo"),
-            Self::Fit => words("fit", "ajuste"),
-            Self::Report => words("report", "informe"),
+            Self::Run => words("run"),
+            Self::Answer => words("answer"),
+            Self::Record => words("record"),
+            Self::Film => words("film"),
+            Self::Fit => words("fit"),
+            Self::Report => words("report"),
         }
     }
 }

@@ -84,16 +84,11 @@ impl HandInError {
     /// Description for the user.
     pub fn words(self) -> Words {
         match self {
-            Self::TooLarge => words("is too large for a hand-in", "es demasiado grande para ser una entrega"),
-            Self::LaterVersion => words(
-                "was made by a later version of Meniscus; verify it with that version",
-                "se hizo con una versión posterior de Meniscus; compruébalo con esa versión",
-            ),
-            Self::Other => words("is no hand-in of Meniscus", "no es una entrega de Meniscus"),
-            Self::NoData => {
-                words("is a page without the data of a hand-in", "es una página sin los datos de una entrega")
-            }
-            Self::Damaged => words("is damaged; ask for it again", "está dañado; pide que te lo envíen otra vez"),
+            Self::TooLarge => words("is too large for a hand-in"),
+            Self::LaterVersion => words("was made by a later version of Meniscus; verify it with that version"),
+            Self::Other => words("is no hand-in of Meniscus"),
+            Self::NoData => words("is a page without the data of a hand-in"),
+            Self::Damaged => words("is damaged; ask for it again"),
         }
     }
 }
@@ -250,7 +245,7 @@ mod tests {
         let packed = miniz_oxide::deflate::compress_to_vec_zlib(text.as_bytes(), 6);
         let page = "<!doctype html><html><body><h1>a</h1><p>0.4</p><footer>f</footer></body></html>";
         let carrying = carried::carry(page, &packed, units::Language::English);
-        let carrying_text = carried::carry(page, text.as_bytes(), units::Language::Spanish);
+        let carrying_text = carried::carry(page, text.as_bytes(), catalogues::with(units::Language::Spanish));
         assert_eq!(HandIn::open(text.as_bytes()), Ok(hand_in()));
         assert_eq!(HandIn::open(&packed), Ok(hand_in()));
         let expected = HandIn { page: carried::sections(page), ..hand_in() };

@@ -53,15 +53,9 @@ impl ProjectError {
     /// Description for the user.
     pub fn words(self) -> Words {
         match self {
-            Self::TooLarge => words("is too large for a project", "es demasiado grande para ser un proyecto"),
-            Self::LaterVersion => words(
-                "was made by a later version of Meniscus; open it with that version",
-                "se hizo con una versión posterior de Meniscus; ábrelo con esa versión",
-            ),
-            Self::Unreadable => words(
-                "is damaged or no project of Meniscus; save the project again",
-                "está dañado o no es un proyecto de Meniscus; vuelve a guardar el proyecto",
-            ),
+            Self::TooLarge => words("is too large for a project"),
+            Self::LaterVersion => words("was made by a later version of Meniscus; open it with that version"),
+            Self::Unreadable => words("is damaged or no project of Meniscus; save the project again"),
         }
     }
 }

@@ -95,18 +95,10 @@ impl SheetError {
     /// Description for the user.
     pub fn words(self) -> Words {
         match self {
-            Self::TooLarge => words(
-                "is too large for the answers to a survey",
-                "es demasiado grande para ser respuestas a una encuesta",
-            ),
-            Self::LaterVersion => words(
-                "was made by a later version of Meniscus; open it with that version",
-                "se hizo con una versión posterior de Meniscus; ábrelo con esa versión",
-            ),
-            Self::Other => {
-                words("has no answers to a survey of Meniscus", "no tiene respuestas a una encuesta de Meniscus")
-            }
-            Self::Damaged => words("is damaged; ask for it again", "está dañado; pide que te lo envíen otra vez"),
+            Self::TooLarge => words("is too large for the answers to a survey"),
+            Self::LaterVersion => words("was made by a later version of Meniscus; open it with that version"),
+            Self::Other => words("has no answers to a survey of Meniscus"),
+            Self::Damaged => words("is damaged; ask for it again"),
         }
     }
 }

@@ -5,6 +5,9 @@ pub mod alphabet;
 mod dimension;
 mod exponent;
 pub mod fnv;
+// The macros of `wording` name this crate.
+extern crate self as units;
+
 mod language;
 pub mod markup;
 pub mod mathml;
@@ -23,10 +26,11 @@ mod unit_error;
 
 pub use dimension::Dimension;
 pub use exponent::Exponent;
-pub use language::{Language, Words, sentence, words};
+pub use language::{Catalogue, Conjunction, Language, ToWords, Words, provide, sentence, words};
 pub use name::name_of;
 pub use nearest::nearest;
 pub use parse::raised;
 pub use quantity::QuantityName;
 pub use unit::Unit;
 pub use unit_error::UnitError;
+pub use wording::{say, words};

@@ -31,14 +31,7 @@ pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), String), UnitE
     let (multiplier, divisor) = part.scale.quotient();
     let factor = multiplier / divisor;
     if !factor.is_normal() || !multiplier.is_finite() {
-        return Err(error(
-            "malformed-unit",
-            0..text.len(),
-            words(
-                "this unit is too large or too small for a number",
-                "esta unidad es demasiado grande o demasiado pequeña para un número",
-            ),
-        ));
+        return Err(error("malformed-unit", 0..text.len(), words("this unit is too large or too small for a number")));
     }
     let text = if part.text == "1" { String::new() } else { part.text };
     Ok((part.dimension, (multiplier, divisor), text))
@@ -96,41 +89,20 @@ impl<'a> Reader<'a> {
     fn unexpected(&self) -> UnitError {
         let Some(found) = self.peek() else {
             let end = self.text.trim_end().len();
-            return error(
-                "malformed-unit",
-                end..end,
-                words(
-                    "the unit ends where a unit symbol should follow",
-                    "la unidad termina donde debería seguir el símbolo de una unidad",
-                ),
-            );
+            return error("malformed-unit", end..end, words("the unit ends where a unit symbol should follow"));
         };
         let range = self.at..self.at + found.len_utf8();
         match found {
             '/' => hinting(
-                error("ambiguous-unit", range, words("a unit has only one `/`", "una unidad lleva un solo `/`")),
-                words(
-                    "put what is divided by into parentheses, such as J/(kg K), or use powers: m/s^2",
-                    "pon el divisor entre paréntesis, por ejemplo J/(kg K), o usa potencias: m/s^2",
-                ),
+                error("ambiguous-unit", range, words("a unit has only one `/`")),
+                words("put what is divided by into parentheses, such as J/(kg K), or use powers: m/s^2"),
             ),
             '0'..='9' => hinting(
-                error(
-                    "malformed-unit",
-                    range,
-                    words("a number cannot be part of a unit", "un número no puede formar parte de una unidad"),
-                ),
-                words(
-                    "write the number before the bracket, and powers with ^, such as m^2",
-                    "escribe el número antes del corchete, y las potencias con ^, por ejemplo m^2",
-                ),
+                error("malformed-unit", range, words("a number cannot be part of a unit")),
+                words("write the number before the bracket, and powers with ^, such as m^2"),
             ),
-            ')' => error("malformed-unit", range, words("this `)` closes nothing", "este `)` no cierra nada")),
-            _ => error(
-                "malformed-unit",
-                range,
-                words!("`{found}` cannot be part of a unit", "`{found}` no puede formar parte de una unidad"),
-            ),
+            ')' => error("malformed-unit", range, words("this `)` closes nothing")),
+            _ => error("malformed-unit", range, words!("`{found}` cannot be part of a unit")),
         }
     }
 
@@ -159,14 +131,10 @@ impl<'a> Reader<'a> {
                     range,
                     words!(
                         "it is not clear whether `{}` is divided by or multiplied with",
-                        "no está claro si `{}` divide o multiplica",
                         &self.text[start..next.range.end]
                     ),
                 ),
-                words!(
-                    "write {above}/({below} {next_text}) or {top}{next_text}/{alone}",
-                    "escribe {above}/({below} {next_text}) o {top}{next_text}/{alone}"
-                ),
+                words!("write {above}/({below} {next_text}) or {top}{next_text}/{alone}"),
             ));
         }
         let range = above.range.start..below.range.end;
@@ -213,19 +181,14 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let mut part = if self.take('(') {
             if depth == DEPTH {
-                return Err(error(
-                    "malformed-unit",
-                    start..start + 1,
-                    words("too many parentheses in one another", "demasiados paréntesis anidados"),
-                ));
+                return Err(error("malformed-unit", start..start + 1, words("too many parentheses in one another")));
             }
             self.blanks();
             let inner = self.unit(depth + 1)?;
             self.blanks();
             if !self.take(')') {
                 let unexpected = self.unexpected();
-                let unclosed =
-                    error("malformed-unit", start..start + 1, words("this `(` is not closed", "este `(` no se cierra"));
+                let unclosed = error("malformed-unit", start..start + 1, words("this `(` is not closed"));
                 return Err(if self.at == self.text.len() { unclosed } else { unexpected });
             }
             inner
@@ -304,12 +267,9 @@ impl<'a> Reader<'a> {
                 let wrong = error(
                     "malformed-unit",
                     start..end,
-                    words(
-                        "an exponent is a whole number or a fraction in parentheses",
-                        "un exponente es un número entero o una fracción entre paréntesis",
-                    ),
+                    words("an exponent is a whole number or a fraction in parentheses"),
                 );
-                return Err(hinting(wrong, words("such as m^2, s^-1 or m^(1/2)", "por ejemplo, m^2, s^-1 o m^(1/2)")));
+                return Err(hinting(wrong, words("such as m^2, s^-1 or m^(1/2)")));
             }
             *number = digits.parse().map_err(|_| too_high(start..self.at))?;
             if signed {
@@ -317,12 +277,9 @@ impl<'a> Reader<'a> {
             }
         }
         if parenthesis && !self.take(')') {
-            let wrong = error(
-                "malformed-unit",
-                start..self.at,
-                words("the parenthesis of this exponent is not closed", "el paréntesis de este exponente no se cierra"),
-            );
-            return Err(hinting(wrong, words("such as m^(1/2)", "por ejemplo, m^(1/2)")));
+            let wrong =
+                error("malformed-unit", start..self.at, words("the parenthesis of this exponent is not closed"));
+            return Err(hinting(wrong, words("such as m^(1/2)")));
         }
         Exponent::new(numbers[0], numbers[1]).map(Some).ok_or_else(|| too_high(start..self.at))
     }

@@ -1,138 +1,89 @@
 //! Names of physical quantities by dimension, for messages.
 
-use crate::{Dimension, Words};
+use crate::{Dimension, Words, words};
 
-/// Name of a physical quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct QuantityName {
-    /// The English noun.
-    pub english: &'static str,
-    /// The Spanish noun with its article, which shows the gender.
-    spanish: &'static str,
-}
+/// Name of a physical quantity: a noun with its article, which shows the gender in languages that have one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QuantityName(Words);
 
-const fn named(english: &'static str, spanish: &'static str) -> QuantityName {
-    QuantityName { english, spanish }
+const fn named(name: Words) -> QuantityName {
+    QuantityName(name)
 }
 
 impl QuantityName {
     /// Name of a quantity without dimension.
-    pub const PURE_NUMBER: Self = named("pure number", "un número puro");
+    pub const PURE_NUMBER: &'static Self = &named(words("a pure number"));
 
     /// The noun alone: `length`, `longitud`.
-    pub fn noun(self) -> Words {
-        let spanish = self.spanish.split_once(' ').map_or(self.spanish, |(_, noun)| noun);
-        Words { english: self.english.into(), spanish: spanish.into() }
+    pub fn noun(&self) -> Words {
+        let name = self.0.clone();
+        Words::each(move |language| {
+            let name = name.text(language);
+            name.split_once(' ').map_or(&*name, |(_, noun)| noun).to_owned()
+        })
     }
 
     /// The noun with its article: `a length`, `an energy`; `una longitud`, `una energía`.
-    pub fn with_article(self) -> Words {
-        let article = if self.english.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-        Words { english: format!("{article} {}", self.english).into(), spanish: self.spanish.into() }
+    pub fn with_article(&self) -> Words {
+        self.0.clone()
     }
 }
 
 /// Exponents of kg, m, s, A, K, mol, cd, and the quantities of this dimension, the most usual first.
 const QUANTITIES: &[([i8; 7], &[QuantityName])] = &[
-    (
-        [0, 0, 0, 0, 0, 0, 0],
-        &[named("number", "un número"), named("angle", "un ángulo"), named("ratio", "un cociente")],
-    ),
-    ([1, 0, 0, 0, 0, 0, 0], &[named("mass", "una masa")]),
-    ([0, 1, 0, 0, 0, 0, 0], &[named("length", "una longitud")]),
-    ([0, 0, 1, 0, 0, 0, 0], &[named("time", "un tiempo")]),
-    ([0, 0, 0, 1, 0, 0, 0], &[named("electric current", "una corriente eléctrica")]),
-    ([0, 0, 0, 0, 1, 0, 0], &[named("temperature", "una temperatura")]),
-    ([0, 0, 0, 0, 0, 1, 0], &[named("amount of substance", "una cantidad de sustancia")]),
-    ([0, 0, 0, 0, 0, 0, 1], &[named("luminous intensity", "una intensidad luminosa")]),
-    ([0, 2, 0, 0, 0, 0, 0], &[named("area", "un área")]),
-    ([0, 3, 0, 0, 0, 0, 0], &[named("volume", "un volumen")]),
-    ([0, -1, 0, 0, 0, 0, 0], &[named("wave number", "un número de onda")]),
-    ([0, 1, -1, 0, 0, 0, 0], &[named("velocity", "una velocidad")]),
-    ([0, 1, -2, 0, 0, 0, 0], &[named("acceleration", "una aceleración")]),
-    ([0, 1, -3, 0, 0, 0, 0], &[named("jerk", "una sobreaceleración")]),
+    ([0, 0, 0, 0, 0, 0, 0], &[named(words("a number")), named(words("an angle")), named(words("a ratio"))]),
+    ([1, 0, 0, 0, 0, 0, 0], &[named(words("a mass"))]),
+    ([0, 1, 0, 0, 0, 0, 0], &[named(words("a length"))]),
+    ([0, 0, 1, 0, 0, 0, 0], &[named(words("a time"))]),
+    ([0, 0, 0, 1, 0, 0, 0], &[named(words("an electric current"))]),
+    ([0, 0, 0, 0, 1, 0, 0], &[named(words("a temperature"))]),
+    ([0, 0, 0, 0, 0, 1, 0], &[named(words("an amount of substance"))]),
+    ([0, 0, 0, 0, 0, 0, 1], &[named(words("a luminous intensity"))]),
+    ([0, 2, 0, 0, 0, 0, 0], &[named(words("an area"))]),
+    ([0, 3, 0, 0, 0, 0, 0], &[named(words("a volume"))]),
+    ([0, -1, 0, 0, 0, 0, 0], &[named(words("a wave number"))]),
+    ([0, 1, -1, 0, 0, 0, 0], &[named(words("a velocity"))]),
+    ([0, 1, -2, 0, 0, 0, 0], &[named(words("an acceleration"))]),
+    ([0, 1, -3, 0, 0, 0, 0], &[named(words("a jerk"))]),
     (
         [0, 0, -1, 0, 0, 0, 0],
-        &[
-            named("frequency", "una frecuencia"),
-            named("angular velocity", "una velocidad angular"),
-            named("rate", "una tasa"),
-        ],
+        &[named(words("a frequency")), named(words("an angular velocity")), named(words("a rate"))],
     ),
-    (
-        [0, 0, -2, 0, 0, 0, 0],
-        &[
-            named("angular acceleration", "una aceleración angular"),
-            named("squared frequency", "una frecuencia al cuadrado"),
-        ],
-    ),
-    ([0, 3, -1, 0, 0, 0, 0], &[named("volume flow", "un caudal")]),
-    (
-        [0, 2, -1, 0, 0, 0, 0],
-        &[
-            named("kinematic viscosity", "una viscosidad cinemática"),
-            named("diffusion coefficient", "un coeficiente de difusión"),
-        ],
-    ),
-    (
-        [0, 2, -2, 0, 0, 0, 0],
-        &[
-            named("energy per mass", "una energía por unidad de masa"),
-            named("squared velocity", "una velocidad al cuadrado"),
-        ],
-    ),
-    ([1, -3, 0, 0, 0, 0, 0], &[named("density", "una densidad")]),
-    ([1, -2, 0, 0, 0, 0, 0], &[named("mass per area", "una masa por unidad de área")]),
-    (
-        [1, -1, 0, 0, 0, 0, 0],
-        &[
-            named("mass per length", "una masa por unidad de longitud"),
-            named("drag coefficient", "un coeficiente de arrastre"),
-        ],
-    ),
-    ([1, 2, 0, 0, 0, 0, 0], &[named("moment of inertia", "un momento de inercia")]),
-    ([1, 1, -1, 0, 0, 0, 0], &[named("momentum", "un momento lineal")]),
-    ([1, 2, -1, 0, 0, 0, 0], &[named("angular momentum", "un momento angular"), named("action", "una acción")]),
-    ([1, 1, -2, 0, 0, 0, 0], &[named("force", "una fuerza")]),
-    ([1, 2, -2, 0, 0, 0, 0], &[named("energy", "una energía"), named("torque", "un momento de fuerza")]),
-    ([1, 2, -3, 0, 0, 0, 0], &[named("power", "una potencia")]),
-    ([1, -1, -2, 0, 0, 0, 0], &[named("pressure", "una presión"), named("energy density", "una densidad de energía")]),
-    ([1, -1, -1, 0, 0, 0, 0], &[named("dynamic viscosity", "una viscosidad dinámica")]),
-    (
-        [1, 0, -1, 0, 0, 0, 0],
-        &[named("damping constant", "una constante de amortiguamiento"), named("mass flow", "un caudal másico")],
-    ),
-    (
-        [1, 0, -2, 0, 0, 0, 0],
-        &[named("spring constant", "una constante elástica"), named("surface tension", "una tensión superficial")],
-    ),
-    ([1, 0, -3, 0, 0, 0, 0], &[named("intensity", "una intensidad")]),
-    (
-        [1, -2, -2, 0, 0, 0, 0],
-        &[named("pressure gradient", "un gradiente de presión"), named("specific weight", "un peso específico")],
-    ),
-    ([-1, 3, -2, 0, 0, 0, 0], &[named("gravitational constant", "una constante de gravitación")]),
-    ([0, 0, 1, 1, 0, 0, 0], &[named("electric charge", "una carga eléctrica")]),
-    ([1, 2, -3, -1, 0, 0, 0], &[named("voltage", "una tensión eléctrica")]),
-    ([1, 2, -3, -2, 0, 0, 0], &[named("resistance", "una resistencia")]),
-    ([-1, -2, 3, 2, 0, 0, 0], &[named("conductance", "una conductancia")]),
-    ([-1, -2, 4, 2, 0, 0, 0], &[named("capacitance", "una capacidad eléctrica")]),
-    ([1, 2, -2, -2, 0, 0, 0], &[named("inductance", "una inductancia")]),
-    ([1, 0, -2, -1, 0, 0, 0], &[named("magnetic flux density", "una inducción magnética")]),
-    ([1, 2, -2, -1, 0, 0, 0], &[named("magnetic flux", "un flujo magnético")]),
-    ([1, 1, -3, -1, 0, 0, 0], &[named("electric field", "un campo eléctrico")]),
-    ([1, 2, -2, 0, -1, 0, 0], &[named("heat capacity", "una capacidad calorífica"), named("entropy", "una entropía")]),
-    ([0, 2, -2, 0, -1, 0, 0], &[named("specific heat capacity", "un calor específico")]),
-    ([1, 1, -3, 0, -1, 0, 0], &[named("thermal conductivity", "una conductividad térmica")]),
-    (
-        [1, 2, -2, 0, -1, -1, 0],
-        &[
-            named("molar heat capacity", "una capacidad calorífica molar"),
-            named("gas constant", "una constante de los gases"),
-        ],
-    ),
-    ([1, 0, 0, 0, 0, -1, 0], &[named("molar mass", "una masa molar")]),
-    ([0, -3, 0, 0, 0, 1, 0], &[named("concentration", "una concentración")]),
+    ([0, 0, -2, 0, 0, 0, 0], &[named(words("an angular acceleration")), named(words("a squared frequency"))]),
+    ([0, 3, -1, 0, 0, 0, 0], &[named(words("a volume flow"))]),
+    ([0, 2, -1, 0, 0, 0, 0], &[named(words("a kinematic viscosity")), named(words("a diffusion coefficient"))]),
+    ([0, 2, -2, 0, 0, 0, 0], &[named(words("an energy per mass")), named(words("a squared velocity"))]),
+    ([1, -3, 0, 0, 0, 0, 0], &[named(words("a density"))]),
+    ([1, -2, 0, 0, 0, 0, 0], &[named(words("a mass per area"))]),
+    ([1, -1, 0, 0, 0, 0, 0], &[named(words("a mass per length")), named(words("a drag coefficient"))]),
+    ([1, 2, 0, 0, 0, 0, 0], &[named(words("a moment of inertia"))]),
+    ([1, 1, -1, 0, 0, 0, 0], &[named(words("a momentum"))]),
+    ([1, 2, -1, 0, 0, 0, 0], &[named(words("an angular momentum")), named(words("an action"))]),
+    ([1, 1, -2, 0, 0, 0, 0], &[named(words("a force"))]),
+    ([1, 2, -2, 0, 0, 0, 0], &[named(words("an energy")), named(words("a torque"))]),
+    ([1, 2, -3, 0, 0, 0, 0], &[named(words("a power"))]),
+    ([1, -1, -2, 0, 0, 0, 0], &[named(words("a pressure")), named(words("an energy density"))]),
+    ([1, -1, -1, 0, 0, 0, 0], &[named(words("a dynamic viscosity"))]),
+    ([1, 0, -1, 0, 0, 0, 0], &[named(words("a damping constant")), named(words("a mass flow"))]),
+    ([1, 0, -2, 0, 0, 0, 0], &[named(words("a spring constant")), named(words("a surface tension"))]),
+    ([1, 0, -3, 0, 0, 0, 0], &[named(words("an intensity"))]),
+    ([1, -2, -2, 0, 0, 0, 0], &[named(words("a pressure gradient")), named(words("a specific weight"))]),
+    ([-1, 3, -2, 0, 0, 0, 0], &[named(words("a gravitational constant"))]),
+    ([0, 0, 1, 1, 0, 0, 0], &[named(words("an electric charge"))]),
+    ([1, 2, -3, -1, 0, 0, 0], &[named(words("a voltage"))]),
+    ([1, 2, -3, -2, 0, 0, 0], &[named(words("a resistance"))]),
+    ([-1, -2, 3, 2, 0, 0, 0], &[named(words("a conductance"))]),
+    ([-1, -2, 4, 2, 0, 0, 0], &[named(words("a capacitance"))]),
+    ([1, 2, -2, -2, 0, 0, 0], &[named(words("an inductance"))]),
+    ([1, 0, -2, -1, 0, 0, 0], &[named(words("a magnetic flux density"))]),
+    ([1, 2, -2, -1, 0, 0, 0], &[named(words("a magnetic flux"))]),
+    ([1, 1, -3, -1, 0, 0, 0], &[named(words("an electric field"))]),
+    ([1, 2, -2, 0, -1, 0, 0], &[named(words("a heat capacity")), named(words("an entropy"))]),
+    ([0, 2, -2, 0, -1, 0, 0], &[named(words("a specific heat capacity"))]),
+    ([1, 1, -3, 0, -1, 0, 0], &[named(words("a thermal conductivity"))]),
+    ([1, 2, -2, 0, -1, -1, 0], &[named(words("a molar heat capacity")), named(words("a gas constant"))]),
+    ([1, 0, 0, 0, 0, -1, 0], &[named(words("a molar mass"))]),
+    ([0, -3, 0, 0, 0, 1, 0], &[named(words("a concentration"))]),
 ];
 
 impl Dimension {
@@ -165,7 +116,7 @@ mod tests {
             ("T", "magnetic flux density"),
             ("J/(kg K)", "specific heat capacity"),
         ] {
-            assert_eq!(Unit::parse(unit).unwrap().dimension.quantity_names()[0].english, name, "{unit}");
+            assert_eq!(Unit::parse(unit).unwrap().dimension.quantity_names()[0].noun().english(), name, "{unit}");
         }
         assert!(Unit::parse("m^7").unwrap().dimension.quantity_names().is_empty());
     }

@@ -22,7 +22,7 @@ pub struct UnitError {
 /// The English message.
 impl fmt::Display for UnitError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.message.english)
+        formatter.write_str(&self.message.english())
     }
 }
 
@@ -41,11 +41,7 @@ pub(crate) fn hinting(mut error: UnitError, hint: Words) -> UnitError {
 
 /// Error of an exponent beyond its bound.
 pub(crate) fn too_high(range: Range<usize>) -> UnitError {
-    error(
-        "malformed-unit",
-        range,
-        words("an exponent of this unit is too large", "un exponente de esta unidad es demasiado grande"),
-    )
+    error("malformed-unit", range, words("an exponent of this unit is too large"))
 }
 
 /// Error of an unknown symbol, with a suggestion if one is similar.
@@ -55,21 +51,15 @@ pub(crate) fn unknown(text: &str, range: Range<usize>) -> UnitError {
             error(
                 "temperature-scale",
                 range,
-                words!(
-                    "{text} is a scale with a zero of its own, so it cannot be multiplied like a unit",
-                    "{text} es una escala con su propio cero, así que no se puede multiplicar como una unidad"
-                ),
+                words!("{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"),
             ),
-            words(
-                "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]",
-                "da las temperaturas en [K] (20 degC son 293.15 [K]); una diferencia de 1 degC es 1 [K]",
-            ),
+            words("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]"),
         );
     }
-    let wrong = error("unknown-unit", range, words!("there is no unit `{text}`", "no hay ninguna unidad `{text}`"));
+    let wrong = error("unknown-unit", range, words!("there is no unit `{text}`"));
     match table::near(text) {
         Some(near) => {
-            let hint = words!("did you mean {near}?", "¿querías decir {near}?");
+            let hint = words!("did you mean {near}?");
             UnitError { meant: Some(near), ..hinting(wrong, hint) }
         }
         None => wrong,

@@ -248,7 +248,7 @@ fn what_is_refused_is_refused_with_the_reason() {
         let error = Unit::parse(text).expect_err(text);
         assert_eq!((error.code, &text[error.range.clone()]), (code, place), "{text}");
         assert_eq!(
-            (&*error.message.english, error.hint.as_ref().map(|hint| &*hint.english)),
+            (&*error.message.english(), error.hint.as_ref().map(|hint| hint.english()).as_deref()),
             (message, hint),
             "{text}"
         );

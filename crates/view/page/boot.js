@@ -1,9 +1,9 @@
 // Words in the place of the laboratory, or above it.
-const tell = (english, spanish) => {
+const tell = (...languages) => {
   const words = document.createElement("p");
   words.className = "waiting";
   words.role = "alert";
-  words.textContent = `${english} · ${spanish}`;
+  words.textContent = languages.join(" · ");
   document.querySelector(".waiting")?.remove();
   document.body.prepend(words);
 };
@@ -13,6 +13,7 @@ const stopped = (error) => {
     tell(
       "Meniscus has stopped: there is a fault in it. Load the page again.",
       "Meniscus se ha detenido por un fallo suyo. Vuelve a cargar la página.",
+      "O Meniscus parou por uma falha sua. Recarregue a página.",
     );
   }
 };
@@ -42,17 +43,41 @@ const inflated = async (part, format = "gzip") => {
   writer.close().catch(() => {});
   return new Response(inflater.readable).arrayBuffer();
 };
+// Texts of the languages, packed in elements behind this script and further on: inflated once, and kept for the module.
+let textsArrived;
+const textsBehind = new Promise((done) => (textsArrived = done));
+globalThis.texts = {
+  ready: {},
+  async load(id) {
+    await textsBehind;
+    const part = document.getElementById(id);
+    if (part) texts.ready[id] ??= new Uint8Array(await inflated(part));
+    return texts.ready[id];
+  },
+};
 // Says why a part cannot be started.
 const failed = (error) => {
   if (globalThis.WebAssembly && error instanceof WebAssembly.RuntimeError) throw error;
   // The browser knows no DecompressionStream or WebAssembly, or an earlier one.
   if (error instanceof ReferenceError || error instanceof WebAssembly.CompileError) {
     console.error(error);
-    tell("This browser is too old for Meniscus.", "Este navegador es demasiado antiguo para Meniscus.");
+    tell(
+      "This browser is too old for Meniscus.",
+      "Este navegador es demasiado antiguo para Meniscus.",
+      "Este navegador é antigo demais para o Meniscus.",
+    );
   } else if (document.querySelector("#module[href], [data-file]")) {
-    tell("A part of this page could not be loaded. Load the page again.", "No se ha podido cargar una parte de esta página. Vuelve a cargarla.");
+    tell(
+      "A part of this page could not be loaded. Load the page again.",
+      "No se ha podido cargar una parte de esta página. Vuelve a cargarla.",
+      "Uma parte desta página não pôde ser carregada. Recarregue a página.",
+    );
   } else {
-    tell("This file is damaged. Download it again.", "Este archivo está dañado. Vuelve a descargarlo.");
+    tell(
+      "This file is damaged. Download it again.",
+      "Este archivo está dañado. Vuelve a descargarlo.",
+      "Este arquivo está danificado. Baixe-o de novo.",
+    );
   }
 };
 // Starts the player with the simulation of the page.

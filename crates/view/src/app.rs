@@ -2,7 +2,7 @@
 
 use crate::browser;
 use crate::frame::Nodes;
-use crate::page::message::Message;
+use crate::page::{message::Message, texts};
 use crate::panel::tabs;
 use crate::stage;
 use crate::stage::brush::Part;
@@ -93,6 +93,11 @@ pub trait Host {
     /// Sets the language of the whole page.
     fn set_language(&self, language: Language) {
         self.with_play(&mut |play| play.set_language(language.tag()));
+    }
+
+    /// Beginning of the ids of the elements with texts for the module of this page.
+    fn texts(&self) -> &'static str {
+        texts::PLAYER
     }
 
     /// Base name of saved files, without extension.
@@ -410,12 +415,15 @@ impl App {
         self.acted(false);
     }
 
-    /// Sets the language of the whole page.
-    pub fn set_language(self, language: Language) {
-        self.host().set_language(language);
-        self.language.set(language);
-        browser::remember("language", language.tag());
-        self.rebuild();
+    /// Sets the language of the whole page as soon as its texts are there, and then calls `then`.
+    pub fn set_language(self, language: Language, then: impl FnOnce() + 'static) {
+        texts::when_there(self.host().texts(), language, move || {
+            self.host().set_language(language);
+            self.language.set(language);
+            browser::remember("language", language.tag());
+            self.rebuild();
+            then();
+        });
     }
 }
 

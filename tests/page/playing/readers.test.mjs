@@ -193,7 +193,7 @@ visit("a student's first screen has few controls, and the play button comes soon
   assert.ok(seen.size > 10 && seen.size <= 30, `${seen.size} controls`);
 });
 
-for (const [language, size, theme] of [["en-GB", {}, "light"], ["es-ES", { width: 390, height: 844, touch: true }, "dark"]]) {
+for (const [language, size, theme] of [["en-GB", {}, "light"], ["pt-BR", {}, "light"], ["es-ES", { width: 390, height: 844, touch: true }, "dark"]]) {
   visit(`axe finds nothing as the page opens for either reader: ${language}`, { ...STILL, language, theme, ...size, fragment: "" }, async (lab) => {
     await lab.page.evaluate(axe);
     for (const all of [false, true]) {

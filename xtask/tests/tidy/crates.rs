@@ -4,8 +4,10 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 20] = [
-    ("units", &[]),
+const ARROWS: [(&str, &[&str]); 22] = [
+    ("wording", &[]),
+    ("units", &["wording"]),
+    ("catalogues", &["units"]),
     ("program", &["units"]),
     ("model", &["program", "units"]),
     ("figure", &["units"]),
@@ -29,7 +31,20 @@ const ARROWS: [(&str, &[&str]); 20] = [
     ("lab", &["class", "desk", "document", "figure", "film", "host", "model", "play", "program", "units", "view"]),
     (
         "cli",
-        &["analysis", "class", "document", "engine", "figure", "film", "model", "program", "report", "saved", "units"],
+        &[
+            "analysis",
+            "catalogues",
+            "class",
+            "document",
+            "engine",
+            "figure",
+            "film",
+            "model",
+            "program",
+            "report",
+            "saved",
+            "units",
+        ],
     ),
 ];
 

@@ -2,7 +2,7 @@
 
 use super::cycle::{Cycle, Measured};
 use super::quantity::Quantity;
-use units::Language::{self, English, Spanish};
+use units::{Language, say};
 
 /// Result of a chi-square test of one quantity over cycles that share no data. Values in the units of the record.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,63 +75,35 @@ impl Constancy {
         written: &dyn Fn(Measured) -> String,
         fixed: &dyn Fn(f64) -> String,
     ) -> String {
-        let name = quantity.name(language);
-        let the = match (quantity, language) {
-            (_, English) => "The",
-            (Quantity::Amplitude | Quantity::AngularFrequency, Spanish) => "La",
-            (_, Spanish) => "El",
-        };
-        let test = |chi_square: f64, freedom: usize| match (language, freedom) {
-            (Spanish, 1) => format!("(ji cuadrado {} con 1 grado de libertad)", fixed(chi_square)),
-            (Spanish, _) => format!("(ji cuadrado {} con {freedom} grados de libertad)", fixed(chi_square)),
-            (_, 1) => format!("(chi-square {} for 1 degree of freedom)", fixed(chi_square)),
-            _ => format!("(chi-square {} for {freedom} degrees of freedom)", fixed(chi_square)),
+        let the = quantity.with_article(language);
+        let test = |chi_square: f64, freedom: usize| match freedom {
+            1 => say!(language, "(chi-square {} for 1 degree of freedom)", fixed(chi_square)),
+            _ => say!(language, "(chi-square {} for {freedom} degrees of freedom)", fixed(chi_square)),
         };
         match *self {
-            Self::Alone(mean) if language == Spanish => {
-                format!("{the} {name} es {}; un solo ciclo no muestra ningún cambio.", written(mean))
-            }
-            Self::Alone(mean) => format!("{the} {name} is {}; one cycle alone shows no change.", written(mean)),
-            Self::Same { mean, chi_square, freedom } if language == Spanish => {
-                let same = if the == "La" { "la misma" } else { "el mismo" };
-                format!(
-                    "{the} {name} es {same} en todos los ciclos dentro de sus errores, como en la teoría lineal: {} {}.",
-                    written(mean),
-                    test(chi_square, freedom)
-                )
-            }
-            Self::Same { mean, chi_square, freedom } => format!(
-                "{the} {name} is the same in all cycles within its errors, as in the linear theory: {} {}.",
+            Self::Alone(mean) => say!(language, "{the} is {}; one cycle alone shows no change.", written(mean)),
+            Self::Same { mean, chi_square, freedom } => say!(
+                language,
+                "{the} is the same in all cycles within its errors, as in the linear theory: {} {}.",
                 written(mean),
                 test(chi_square, freedom)
             ),
-            Self::Changes { early, late, chi_square, freedom } if written(early) == written(late) => {
-                let [is, but] = match language {
-                    English => ["is", "throughout; its change is too small to show in these digits"],
-                    Spanish => ["es", "en todo el registro; su cambio es demasiado pequeño para verse en estas cifras"],
-                };
-                format!("{the} {name} {is} {} {but} {}.", written(early), test(chi_square, freedom))
-            }
-            Self::Scatters { mean, chi_square, freedom } if language == Spanish => format!(
-                "{the} {name} varía de un ciclo a otro más de lo que explican sus errores {}, sin tendencia: {} en promedio.",
-                test(chi_square, freedom),
-                written(mean)
-            ),
-            Self::Scatters { mean, chi_square, freedom } => format!(
-                "{the} {name} varies from cycle to cycle by more than its errors explain {}, without a trend: {} on average.",
-                test(chi_square, freedom),
-                written(mean)
-            ),
-            Self::Changes { early, late, chi_square, freedom } if language == Spanish => format!(
-                "{the} {name} cambia más de lo que explican sus errores {}, lo que la teoría lineal no permite: {} en el \
-                 primer tercio de los ciclos, {} en el último.",
-                test(chi_square, freedom),
+            Self::Changes { early, late, chi_square, freedom } if written(early) == written(late) => say!(
+                language,
+                "{the} is {} throughout; its change is too small to show in these digits {}.",
                 written(early),
-                written(late)
+                test(chi_square, freedom)
             ),
-            Self::Changes { early, late, chi_square, freedom } => format!(
-                "{the} {name} changes by more than its errors explain {}, which the linear theory does not allow: {} in \
-                 the first third of the cycles, {} in the last.",
+            Self::Scatters { mean, chi_square, freedom } => say!(
+                language,
+                "{the} varies from cycle to cycle by more than its errors explain {}, without a trend: {} on average.",
+                test(chi_square, freedom),
+                written(mean)
+            ),
+            Self::Changes { early, late, chi_square, freedom } => say!(
+                language,
+                "{the} changes by more than its errors explain {}, which the linear theory does not allow: {} in the first \
+                 third of the cycles, {} in the last.",
                 test(chi_square, freedom),
                 written(early),
                 written(late)

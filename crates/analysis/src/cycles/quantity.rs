@@ -1,7 +1,7 @@
 //! Quantities of a cycle, for tables and figures.
 
 use super::cycle::{Cycle, Measured};
-use units::Language::{self, English, Spanish};
+use units::Language;
 use units::order::sort_numbers;
 
 /// Quantity measured in each cycle.
@@ -39,8 +39,7 @@ impl Quantity {
         match self {
             Self::Amplitude => "A",
             Self::Period => "T",
-            Self::Decrement if language == Spanish => "decremento",
-            Self::Decrement => "decrement",
+            Self::Decrement => language.say("decrement"),
             Self::AngularFrequency => "ω",
             Self::Damping => "γ",
         }
@@ -48,17 +47,23 @@ impl Quantity {
 
     /// Name in lower case.
     pub fn name(self, language: Language) -> &'static str {
-        match (self, language) {
-            (Self::Amplitude, English) => "amplitude",
-            (Self::Amplitude, Spanish) => "amplitud",
-            (Self::Period, English) => "period",
-            (Self::Period, Spanish) => "periodo",
-            (Self::Decrement, English) => "logarithmic decrement",
-            (Self::Decrement, Spanish) => "decremento logarítmico",
-            (Self::AngularFrequency, English) => "angular frequency",
-            (Self::AngularFrequency, Spanish) => "frecuencia angular",
-            (Self::Damping, English) => "damping",
-            (Self::Damping, Spanish) => "amortiguamiento",
+        match self {
+            Self::Amplitude => language.say("amplitude"),
+            Self::Period => language.say("period"),
+            Self::Decrement => language.say("logarithmic decrement"),
+            Self::AngularFrequency => language.say("angular frequency"),
+            Self::Damping => language.say("damping"),
+        }
+    }
+
+    /// Name with its article, at the beginning of a sentence.
+    pub(super) fn with_article(self, language: Language) -> &'static str {
+        match self {
+            Self::Amplitude => language.say("The amplitude"),
+            Self::Period => language.say("The period"),
+            Self::Decrement => language.say("The logarithmic decrement"),
+            Self::AngularFrequency => language.say("The angular frequency"),
+            Self::Damping => language.say("The damping"),
         }
     }
 

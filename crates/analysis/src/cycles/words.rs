@@ -4,7 +4,7 @@ use super::constancy::Constancy;
 use super::cycle::Measured;
 use super::quantity::Quantity;
 use super::record::{Cycles, NoCycles};
-use units::Language;
+use units::{Language, say};
 
 /// Number formats for the sentences.
 pub struct Writing<'a> {
@@ -35,34 +35,24 @@ impl Cycles {
         sentences.extend((!self.sinusoidal).then(|| another_shape(language).to_owned()));
         if let Some(drift) = &self.drift {
             let [from, to] = [drift.from, drift.to].map(writing.value);
-            sentences.push(language.pick(
-                format!(
-                    "The level drifts, from {from} to {to}; the drift was subtracted before the cycles were measured."
-                ),
-                format!("El nivel deriva, de {from} a {to}; la deriva se restó antes de medir los ciclos."),
+            sentences.push(say!(
+                language,
+                "The level drifts, from {from} to {to}; the drift was subtracted before the cycles were measured."
             ));
         }
         if self.correlation >= CORRELATED {
             let rho = (writing.fixed)(self.correlation, 2);
-            sentences.push(language.pick(
-                format!("The noise of neighbouring rows is correlated ({rho}); the errors account for it."),
-                format!("El ruido de filas vecinas está correlacionado ({rho}); los errores lo tienen en cuenta."),
+            sentences.push(say!(
+                language,
+                "The noise of neighbouring rows is correlated ({rho}); the errors account for it."
             ));
         }
         if let Some(cut_off) = &self.cut_off {
             let ends: Vec<String> = cut_off.low.iter().chain(&cut_off.high).map(|end| (writing.value)(*end)).collect();
-            let ends = ends.join(language.pick(" and ", " y "));
+            let ends = ends.join(language.say(" and "));
             let rows = cut_off.rows;
-            sentences.push(language.pick(
-                format!(
-                    "The record is cut off at {ends}, the end of the range of the instrument: {rows} rows were left out, and \
-                     the cycles were measured from the others."
-                ),
-                format!(
-                    "El registro está recortado en {ends}, el límite del instrumento: se omitieron {rows} filas y los ciclos \
-                     se midieron con las demás."
-                ),
-            ));
+            sentences.push(say!(language, "The record is cut off at {ends}, the end of the range of the instrument: {rows} rows were left out, and \
+                     the cycles were measured from the others."));
         }
         sentences.extend(self.lost.map(|time| self.lost_text(&(writing.time)(time), language)));
         sentences
@@ -71,23 +61,20 @@ impl Cycles {
     /// Reason why the cycles end at `time`, a text with its unit.
     fn lost_text(&self, time: &str, language: Language) -> String {
         let why = match self.sinusoidal {
-            true => language.pick("the noise hides the oscillation", "el ruido oculta la oscilación"),
-            false => language.pick(
+            true => language.say("the noise hides the oscillation"),
+            false => language.say(
                 "the oscillation does not cross its middle level clearly: by more than the noise and a hundredth of its range",
-                "la oscilación no cruza con claridad su nivel medio: por más que el ruido y que una centésima de su recorrido",
             ),
         };
-        language.pick(format!("From {time} on {why}."), format!("A partir de {time} {why}."))
+        say!(language, "From {time} on {why}.")
     }
 }
 
 /// Meaning of period and amplitude if the shape is not a sinusoid.
 fn another_shape(language: Language) -> &'static str {
-    language.pick(
+    language.say(
         "The shape is not a damped sinusoid: the period is the time between crossings of the middle level in the same \
          direction, and the amplitude is half the height between turning points.",
-        "La forma no es una sinusoide amortiguada: el periodo es el tiempo entre pasos por el nivel medio en el mismo sentido, \
-         y la amplitud, la mitad de la altura entre puntos de retorno.",
     )
 }
 
@@ -95,24 +82,14 @@ impl NoCycles {
     /// Reason as a sentence; `fixed` formats a number with one decimal.
     pub fn text(self, language: Language, fixed: &dyn Fn(f64) -> String) -> String {
         match self {
-            Self::Unclear => language.pick(
+            Self::Unclear => language.say(
                 "This column does not oscillate clearly above the noise: a cycle needs three turning points, clear of the noise.",
-                "Esta columna no oscila con claridad por encima del ruido: un ciclo necesita tres puntos de retorno que destaquen \
-                 sobre el ruido.",
             )
             .to_owned(),
             Self::Sparse(density) => {
                 let density = fixed(density);
-                language.pick(
-                    format!(
-                        "The rows are too sparse: a period has {density} of them, and a cycle is measured from at least 5.3. \
-                         Record more rows per second, or fit a model, which uses all cycles together."
-                    ),
-                    format!(
-                        "Las filas son demasiado escasas: hay {density} por periodo y un ciclo se mide con al menos 5,3. \
-                         Registra más filas por segundo o ajusta un modelo, que usa todos los ciclos juntos."
-                    ),
-                )
+                say!(language, "The rows are too sparse: a period has {density} of them, and a cycle is measured from at least 5.3. \
+                         Record more rows per second, or fit a model, which uses all cycles together.")
             }
         }
     }

@@ -3,22 +3,23 @@
 use super::lines;
 use super::refusal::{ImportError, Refusal};
 use std::borrow::Cow;
+use units::{Words, words};
 
 /// Number of bytes examined to decide if they are text.
 const LOOK: usize = 8192;
 
-/// Known file types, by their first bytes, with their names in English and Spanish.
-const KINDS: [(&[u8], &str, &str); 10] = [
-    (b"PK\x03\x04", "a ZIP archive, as XLSX, ODS and TRZ are", "un archivo ZIP, como lo son XLSX, ODS y TRZ"),
-    (b"%PDF", "a PDF", "un PDF"),
-    (b"\x89PNG", "a picture", "una imagen"),
-    (b"\xff\xd8\xff", "a picture", "una imagen"),
-    (b"GIF8", "a picture", "una imagen"),
-    (b"\x1f\x8b", "a compressed file", "un archivo comprimido"),
-    (b"\xd0\xcf\x11\xe0", "an old Excel or Word file", "un archivo antiguo de Excel o Word"),
-    (b"\0\0\0\x18ftyp", "a film", "un vídeo"),
-    (b"\0\0\0\x20ftyp", "a film", "un vídeo"),
-    (b"RIFF", "a film or a sound", "un vídeo o un sonido"),
+/// Known file types, by their first bytes, with their names.
+const KINDS: [(&[u8], Words); 10] = [
+    (b"PK\x03\x04", words("a ZIP archive, as XLSX, ODS and TRZ are")),
+    (b"%PDF", words("a PDF")),
+    (b"\x89PNG", words("a picture")),
+    (b"\xff\xd8\xff", words("a picture")),
+    (b"GIF8", words("a picture")),
+    (b"\x1f\x8b", words("a compressed file")),
+    (b"\xd0\xcf\x11\xe0", words("an old Excel or Word file")),
+    (b"\0\0\0\x18ftyp", words("a film")),
+    (b"\0\0\0\x20ftyp", words("a film")),
+    (b"RIFF", words("a film or a sound")),
 ];
 
 /// Checks the beginning of a file, some thousand bytes, before the rest is read.
@@ -28,8 +29,8 @@ const KINDS: [(&[u8], &str, &str); 10] = [
 pub fn look(start: &[u8]) -> Result<(), ImportError> {
     let start = start.get(..LOOK).unwrap_or(start);
     let refuse = |reason| Err(ImportError::new(None, reason));
-    if let Some((_, english, spanish)) = KINDS.iter().find(|(magic, _, _)| start.starts_with(magic)) {
-        return refuse(Refusal::Kind { english, spanish });
+    if let Some((_, name)) = KINDS.iter().find(|(magic, _)| start.starts_with(magic)) {
+        return refuse(Refusal::Kind { name: name.clone() });
     }
     let text = characters(start);
     let no_text = |byte: u8| byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a);

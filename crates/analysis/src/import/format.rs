@@ -4,7 +4,7 @@ use super::cells::{Cells, Delimiter, declared};
 use super::number::{self, Cell, Signs};
 use super::{clock, head};
 use std::collections::BTreeMap;
-use units::Language::{self, English, Spanish};
+use units::{Language, say};
 
 /// Number of lines examined at the beginning, and of lines spread over the rest.
 const FIRST: usize = 200;
@@ -36,40 +36,28 @@ impl Format {
 
     /// Description for users: `tabs, decimal comma, 2 header lines`.
     pub fn text(&self, language: Language) -> String {
-        let (english, other) = match self.delimiter {
-            Delimiter::Tab => ("tabs", "tabuladores"),
-            Delimiter::Semicolon => ("semicolons", "puntos y comas"),
-            Delimiter::Comma => ("commas", "comas"),
-            Delimiter::CommaAndBlank => ("commas with a blank", "comas con espacio"),
-            Delimiter::Blanks | Delimiter::Blank => ("blanks", "espacios"),
-            Delimiter::Other(_) => ("", ""),
-        };
         let mut text = match self.delimiter {
+            Delimiter::Tab => language.say("tabs").to_owned(),
+            Delimiter::Semicolon => language.say("semicolons").to_owned(),
+            Delimiter::Comma => language.say("commas").to_owned(),
+            Delimiter::CommaAndBlank => language.say("commas with a blank").to_owned(),
+            Delimiter::Blanks | Delimiter::Blank => language.say("blanks").to_owned(),
             Delimiter::Other(byte) => char::from(byte).to_string(),
-            _ if language == Spanish => other.to_owned(),
-            _ => english.to_owned(),
         };
-        text.push_str(match (self.decimal, language) {
-            (b',', English) => ", decimal comma",
-            (b',', Spanish) => ", coma decimal",
-            (_, English) => ", decimal point",
-            (_, Spanish) => ", punto decimal",
+        text.push_str(match self.decimal {
+            b',' => language.say(", decimal comma"),
+            _ => language.say(", decimal point"),
         });
-        text.push_str(match (self.thousands, language) {
-            (None, _) => "",
-            (Some(b','), English) => ", thousands separated by commas",
-            (Some(b','), Spanish) => ", millares separados por comas",
-            (_, English) => ", thousands separated by points",
-            (_, Spanish) => ", millares separados por puntos",
+        text.push_str(match self.thousands {
+            None => "",
+            Some(b',') => language.say(", thousands separated by commas"),
+            _ => language.say(", thousands separated by points"),
         });
         let lines = self.header_lines;
-        text.push_str(&match (lines, language) {
-            (0, English) => ", no header".to_owned(),
-            (0, Spanish) => ", sin encabezado".to_owned(),
-            (1, English) => ", 1 header line".to_owned(),
-            (1, Spanish) => ", 1 línea de encabezado".to_owned(),
-            (_, English) => format!(", {lines} header lines"),
-            (_, Spanish) => format!(", {lines} líneas de encabezado"),
+        text.push_str(&match lines {
+            0 => language.say(", no header").to_owned(),
+            1 => language.say(", 1 header line").to_owned(),
+            _ => say!(language, ", {lines} header lines"),
         });
         text
     }

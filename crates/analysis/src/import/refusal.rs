@@ -2,7 +2,7 @@
 
 use crate::finding::readings;
 use std::fmt;
-use units::Language::{self, English, Spanish};
+use units::{Language, Words, say};
 
 /// Reason why a file was not read, with its line.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,10 +20,8 @@ pub enum Refusal {
     Empty,
     /// The file is of a known type that is not text, such as a ZIP archive.
     Kind {
-        /// Name of the type in English.
-        english: &'static str,
-        /// Name of the type in Spanish.
-        spanish: &'static str,
+        /// Name of the type.
+        name: Words,
     },
     /// The file contains bytes that do not occur in text.
     Binary,
@@ -84,103 +82,61 @@ impl ImportError {
 
     /// Message for users: the line, and what is wrong.
     pub fn message(&self, language: Language) -> String {
-        let at = |text: String| match (self.line, language) {
-            (Some(line), English) => format!("line {line}: {text}"),
-            (Some(line), Spanish) => format!("línea {line}: {text}"),
-            (None, _) => text,
-        };
-        let say = |english: &str, other: &str| at((if language == Spanish { other } else { english }).to_owned());
-        match &self.reason {
-            Refusal::Empty => say("the file is empty", "el archivo está vacío"),
-            Refusal::Kind { english, spanish: other } if language == Spanish => format!("no es texto, sino {other}"),
-            Refusal::Kind { english, .. } => format!("this is not text but {english}"),
-            Refusal::Binary => say(
-                "this is not text: it has bytes that no text has",
-                "no es texto: tiene bytes que ningún texto tiene",
-            ),
-            Refusal::Markup => say("this is XML or HTML, not a table", "esto es XML o HTML, no una tabla"),
-            Refusal::NoNumbers { text } if language == Spanish => {
-                at(format!("no hay tabla: ninguna línea tiene números; la primera es «{text}»"))
+        let text = match &self.reason {
+            Refusal::Empty => language.say("the file is empty").to_owned(),
+            // The beginning of the file says it, and no line.
+            Refusal::Kind { name } => return say!(language, "this is not text but {name}"),
+            Refusal::Binary => language.say("this is not text: it has bytes that no text has").to_owned(),
+            Refusal::Markup => language.say("this is XML or HTML, not a table").to_owned(),
+            Refusal::NoNumbers { text } => {
+                say!(language, "there is no table: no line has numbers; the first is `{text}`")
             }
-            Refusal::NoNumbers { text } => at(format!("there is no table: no line has numbers; the first is `{text}`")),
-            Refusal::OneColumn => say(
-                "there is only one column of numbers; a measurement needs the time and a quantity",
-                "solo hay una columna de números; una medición necesita el tiempo y una magnitud",
-            ),
-            Refusal::FewRows => say("there are fewer than two rows of numbers", "hay menos de dos filas de números"),
+            Refusal::OneColumn => language
+                .say("there is only one column of numbers; a measurement needs the time and a quantity")
+                .to_owned(),
+            Refusal::FewRows => language.say("there are fewer than two rows of numbers").to_owned(),
             Refusal::Separator { column, text, beside } => {
                 let [decimal, thousands] = readings(text, language);
-                at(if language == Spanish {
-                    format!(
-                        "columna {column}: «{text}» puede ser {decimal} o {thousands}, pues en la misma columna está «{beside}»"
-                    )
-                } else {
-                    format!(
-                        "column {column}: `{text}` can be {decimal} or {thousands}, as `{beside}` stands in the same column"
-                    )
-                })
-            }
-            Refusal::Times { column, text } if language == Spanish => {
-                at(format!("los tiempos de la columna {column} no se entienden; el primero es «{text}»"))
+                say!(
+                    language,
+                    "column {column}: `{text}` can be {decimal} or {thousands}, as `{beside}` stands in the same column"
+                )
             }
             Refusal::Times { column, text } => {
-                at(format!("the times in column {column} cannot be read; the first is `{text}`"))
+                say!(language, "the times in column {column} cannot be read; the first is `{text}`")
             }
-            Refusal::Commas { names, cells } if language == Spanish => at(format!(
-                "{cells} números para {names} nombres: la coma parece ser a la vez separador y signo decimal"
-            )),
-            Refusal::Commas { names, cells } => {
-                at(format!("{cells} numbers for {names} names: the comma seems to be both delimiter and decimal sign"))
-            }
-            Refusal::Cell { column, text } if language == Spanish => {
-                at(format!("columna {column}: «{text}» no es un número, y ninguna línea tiene dos números"))
-            }
+            Refusal::Commas { names, cells } => say!(
+                language,
+                "{cells} numbers for {names} names: the comma seems to be both delimiter and decimal sign"
+            ),
             Refusal::Cell { column, text } => {
-                at(format!("column {column}: `{text}` is not a number, and no line has two numbers"))
-            }
-            Refusal::Words { column, text } if language == Spanish => {
-                at(format!("«{text}» en la columna {column} no es un número, y hay más palabras que números"))
+                say!(language, "column {column}: `{text}` is not a number, and no line has two numbers")
             }
             Refusal::Words { column, text } => {
-                at(format!("`{text}` in column {column} is not a number, and there are more words than numbers"))
+                say!(language, "`{text}` in column {column} is not a number, and there are more words than numbers")
             }
+        };
+        match self.line {
+            Some(line) => say!(language, "line {line}: {text}"),
+            None => text,
         }
     }
 
     /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
-        match (&self.reason, language) {
-            (Refusal::Commas { .. }, English) => "export it again with tabs or semicolons between the columns",
-            (Refusal::Commas { .. }, Spanish) => {
-                "expórtalo de nuevo con tabuladores o puntos y comas entre las columnas"
-            }
-            (Refusal::Separator { .. }, English) => "export it again without signs between the thousands",
-            (Refusal::Separator { .. }, Spanish) => "expórtalo de nuevo sin signos entre los millares",
-            (Refusal::Times { .. }, English) => {
-                "write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"
-            }
-            (Refusal::Times { .. }, Spanish) => {
-                "escribe los tiempos como números, o como 10:00:00.050 o 2026-01-02T10:00:00.050"
-            }
-            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, English) => {
-                "export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"
-            }
-            (Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup, Spanish) => {
-                "exporta la tabla como texto: en Tracker, Archivo > Exportar > Archivo de datos; en una hoja de cálculo, guarda como CSV"
-            }
-            (_, English) => {
-                "a table has one row a line: the time, then one or more quantities, with tabs, commas, semicolons or blanks between"
-            }
-            (_, Spanish) => {
-                "una tabla tiene una fila por línea: el tiempo y luego una o más magnitudes, con tabuladores, comas, puntos y comas o espacios entre ellas"
-            }
+        match &self.reason {
+            Refusal::Commas { .. } => language.say("export it again with tabs or semicolons between the columns"),
+            Refusal::Separator { .. } => language.say("export it again without signs between the thousands"),
+            Refusal::Times { .. } => language.say("write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"),
+            Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup => language.say("export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"),
+            _ => language.say("a table has one row a line: the time, then one or more quantities, with tabs, commas, semicolons or blanks between"),
         }
     }
 }
 
 impl fmt::Display for ImportError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.message(English))
+        formatter.write_str(&self.message(Language::English))
     }
 }
 

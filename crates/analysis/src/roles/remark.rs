@@ -5,7 +5,7 @@ use super::decide::Decision;
 use super::names::tag;
 use crate::origin::{Reason, Role};
 use crate::table::Table;
-use units::Language::{self, Spanish};
+use units::{Language, say};
 
 /// Remark for the user on the roles of columns. All names are labels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,58 +40,43 @@ pub enum Remark {
 impl Remark {
     /// Remark as a sentence in English or Spanish.
     pub fn text(&self, language: Language) -> String {
-        let say = |english: String, other: String| if language == Spanish { other } else { english };
         match self {
             Self::Clocks(clocks) => {
                 const SHOWN: usize = 8;
                 let of = |(clock, columns): &(String, Vec<String>)| {
                     let (clock, columns) = (called(clock, language), listed(columns, language));
-                    say(format!("{clock} for {columns}"), format!("{clock} para {columns}"))
+                    say!(language, "{clock} for {columns}")
                 };
                 let mut list = clocks.iter().take(SHOWN).map(of).collect::<Vec<_>>().join("; ");
                 if clocks.len() > SHOWN {
                     list.push_str("; …");
                 }
-                say(
-                    format!("there are {} independent variables, each with its own columns: {list}", clocks.len()),
-                    format!("hay {} variables independientes, cada una con sus columnas: {list}", clocks.len()),
-                )
+                say!(language, "there are {} independent variables, each with its own columns: {list}", clocks.len())
             }
             Self::RowNumbers { counter, variable } => {
                 let (counter, variable) = (called(counter, language), called(variable, language));
-                say(
-                    format!("{counter} numbers the rows; the independent variable is {variable}"),
-                    format!("{counter} numera las filas; la variable independiente es {variable}"),
-                )
+                say!(language, "{counter} numbers the rows; the independent variable is {variable}")
             }
             Self::Quantity { column, variable } => {
                 let (column, variable) = (called(column, language), called(variable, language));
-                say(
-                    format!(
-                        "{column} is taken for a measured quantity against {variable}, not for the clock of other columns"
-                    ),
-                    format!(
-                        "{column} se toma como una magnitud medida frente a {variable}, no como el reloj de otras columnas"
-                    ),
+                say!(
+                    language,
+                    "{column} is taken for a measured quantity against {variable}, not for the clock of other columns"
                 )
             }
-            Self::Chosen { columns, by_document: true } => say(
-                format!("the independent variable is {}, as in the document", listed(columns, language)),
-                format!("la variable independiente es {}, como en el documento", listed(columns, language)),
-            ),
-            Self::Chosen { columns, by_document: false } => say(
-                format!("the independent variable is {}, as chosen", listed(columns, language)),
-                format!("la variable independiente es {}, según lo elegido", listed(columns, language)),
-            ),
+            Self::Chosen { columns, by_document: true } => {
+                say!(language, "the independent variable is {}, as in the document", listed(columns, language))
+            }
+            Self::Chosen { columns, by_document: false } => {
+                say!(language, "the independent variable is {}, as chosen", listed(columns, language))
+            }
             Self::Readings(readings) => {
                 let list: Vec<String> = readings.iter().map(|clocks| reading(clocks, language)).collect();
-                say(
-                    format!("the independent variable can be read in {} ways: {}", list.len(), list.join("; or ")),
-                    format!(
-                        "la variable independiente se puede entender de {} maneras: {}",
-                        list.len(),
-                        list.join("; o ")
-                    ),
+                say!(
+                    language,
+                    "the independent variable can be read in {} ways: {}",
+                    list.len(),
+                    list.join(language.say("; or "))
                 )
             }
         }
@@ -100,11 +85,7 @@ impl Remark {
 
 /// Label in a sentence: `column 2` for a number.
 fn called(label: &str, language: Language) -> String {
-    if label.bytes().all(|byte| byte.is_ascii_digit()) {
-        language.pick(format!("column {label}"), format!("la columna {label}"))
-    } else {
-        label.to_owned()
-    }
+    if label.bytes().all(|byte| byte.is_ascii_digit()) { say!(language, "column {label}") } else { label.to_owned() }
 }
 
 fn listed(labels: &[String], language: Language) -> String {
@@ -116,12 +97,9 @@ pub(crate) fn reading(clocks: &[String], language: Language) -> String {
     match clocks {
         [clock] => {
             let clock = called(clock, language);
-            language.pick(format!("all columns against {clock}"), format!("todas las columnas frente a {clock}"))
+            say!(language, "all columns against {clock}")
         }
-        _ => language.pick(
-            format!("{}, each for its own columns", listed(clocks, language)),
-            format!("{}, cada una para sus columnas", listed(clocks, language)),
-        ),
+        _ => say!(language, "{}, each for its own columns", listed(clocks, language)),
     }
 }
 

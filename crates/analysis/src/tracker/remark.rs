@@ -110,17 +110,16 @@ impl LeftOut {
     }
 
     pub(super) fn text(self, language: Language) -> &'static str {
-        let (english, spanish) = match self {
-            Self::Models => ("models", "modelos"),
-            Self::Centres => ("centres of mass", "centros de masas"),
-            Self::Data => ("pasted data", "datos pegados"),
-            Self::Vectors => ("vectors", "vectores"),
-            Self::Profiles => ("line profiles", "perfiles de línea"),
-            Self::Regions => ("RGB regions", "regiones RGB"),
-            Self::Tools => ("protractors and circle fitters", "transportadores y ajustes de círculo"),
-            Self::Others => ("other tracks", "otras trayectorias"),
-        };
-        language.pick(english, spanish)
+        match self {
+            Self::Models => language.say("models"),
+            Self::Centres => language.say("centres of mass"),
+            Self::Data => language.say("pasted data"),
+            Self::Vectors => language.say("vectors"),
+            Self::Profiles => language.say("line profiles"),
+            Self::Regions => language.say("RGB regions"),
+            Self::Tools => language.say("protractors and circle fitters"),
+            Self::Others => language.say("other tracks"),
+        }
     }
 }
 

@@ -246,7 +246,7 @@ fn words_say_a_change_only_where_there_is_one() {
     let said = |periods: &[f64], error: f64, digits: usize| {
         let written = |one: Measured| format!("{:.digits$} s", one.value);
         let constancy = Constancy::of(&with(periods, error), Quantity::Period).expect("errors are known");
-        Language::ALL
+        [Language::English, catalogues::with(Language::Spanish)]
             .map(|language| constancy.text(Quantity::Period, language, &written, &|value| format!("{value:.1}")))
     };
     let [english, spanish] = said(&[1.0, 1.01], 0.01, 2);

@@ -28,7 +28,7 @@ fn measured_records_say_what_they_hide() {
         let mut expected: Vec<String> = gap.iter().map(|gap| (*gap).to_owned()).collect();
         expected.extend([step.to_owned(), format!("{velocity}{first}"), format!("{acceleration}{second}")]);
         assert_eq!(texts, expected, "{name}");
-        let spanish = found.findings.last().expect("a finding").text(Language::Spanish);
+        let spanish = found.findings.last().expect("a finding").text(catalogues::with(Language::Spanish));
         assert!(spanish.starts_with("la columna 4 se calculó a partir de la columna 2, (2 x[i+2]"), "{spanish}");
         assert!(spanish.ends_with(&format!("un {} demasiado pequeña", second.replace('.', ","))), "{spanish}");
         let pairs: Vec<(usize, usize, Stencil)> =
@@ -53,7 +53,10 @@ fn steps_are_examined() {
     let rounded: Vec<f64> = even(100, 1.0 / 30.0).iter().map(|time| (time * 1e3).round() / 1e3).collect();
     let found = examine(&rounded);
     assert_eq!(found.findings(&rounded, "s")[0].text(Language::English), "the times are rounded to 0.001 s");
-    assert_eq!(found.findings(&rounded, "s")[0].text(Language::Spanish), "los tiempos están redondeados a 0,001 s");
+    assert_eq!(
+        found.findings(&rounded, "s")[0].text(catalogues::with(Language::Spanish)),
+        "los tiempos están redondeados a 0,001 s"
+    );
     assert_eq!(found.findings(&rounded, "s").len(), 1);
 
     for (step, rate) in [

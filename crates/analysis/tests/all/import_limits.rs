@@ -47,8 +47,8 @@ fn what_is_no_table_is_refused_with_place_and_reason() {
             Err(error) => {
                 assert_eq!(error.message(Language::English), *expected);
                 assert!(
-                    !error.message(Language::Spanish).is_empty()
-                        && !error.hint(Language::Spanish).is_empty()
+                    !error.message(catalogues::with(Language::Spanish)).is_empty()
+                        && !error.hint(catalogues::with(Language::Spanish)).is_empty()
                         && !error.hint(Language::English).is_empty()
                 );
             }
@@ -116,7 +116,7 @@ fn measured_records_have_four_columns_and_all_rows() {
     for (name, rows) in [("U1", 226), ("U2", 238), ("U3", 267), ("U4", 271)] {
         let bytes = utube_bytes(name);
         let import = read(&bytes);
-        assert_eq!(import.format.text(Language::Spanish), "espacios, punto decimal, sin encabezado");
+        assert_eq!(import.format.text(catalogues::with(Language::Spanish)), "espacios, punto decimal, sin encabezado");
         assert_eq!((import.table.columns.len(), import.table.rows(), import.findings.len()), (4, rows, 0), "{name}");
         assert_eq!(import.table.observed_columns().collect::<Vec<_>>(), [1, 2, 3]);
     }

@@ -133,7 +133,7 @@ proptest! {
         if let Ok(import) = import::text(text.as_bytes()) {
             let found = inspect(&import.table);
             for finding in found.findings.iter().chain(&import.findings) {
-                prop_assert!(!finding.text(Language::English).is_empty() && !finding.text(Language::Spanish).is_empty());
+                prop_assert!(!finding.text(Language::English).is_empty() && !finding.text(catalogues::with(Language::Spanish)).is_empty());
             }
             for column in 0..import.table.columns.len() {
                 prop_assert!(import.table.columns[column].independent < import.table.columns.len());

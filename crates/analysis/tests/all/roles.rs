@@ -219,7 +219,7 @@ fn each_reading_can_be_chosen_and_each_question_names_its_columns() {
         let Asked(readings) = truth else { continue };
         for reading in *readings {
             let mut table = import(&written(columns, ";", 24)).table;
-            let words = table.reading_in_words(reading, Language::Spanish);
+            let words = table.reading_in_words(reading, catalogues::with(Language::Spanish));
             assert!(words.contains("columnas"), "{name}: {words}");
             assert!((0..table.columns.len()).any(|column| table.is_open(column)), "{name}");
             table.against(reading, Reason::Person);

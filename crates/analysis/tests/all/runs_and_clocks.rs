@@ -222,5 +222,5 @@ fn rows_out_of_order_are_not_described_as_gaps() {
           divide the file there if the clock began again"
         ]
     );
-    assert!(found(exchanged, Language::Spanish)[0].contains("ordenan las filas por tiempo"));
+    assert!(found(exchanged, catalogues::with(Language::Spanish))[0].contains("ordenan las filas por tiempo"));
 }

@@ -22,7 +22,7 @@ fn shown(import: &Import) -> String {
         text.push('\n');
     }
     for finding in &import.findings {
-        assert!(!finding.text(Language::Spanish).is_empty());
+        assert!(!finding.text(catalogues::with(Language::Spanish)).is_empty());
         text.push_str(&format!("! {}\n", finding.text(Language::English)));
     }
     text

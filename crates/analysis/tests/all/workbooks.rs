@@ -226,7 +226,7 @@ proptest! {
             let at = at.index(bytes.len());
             bytes[at] = byte;
             if let Err(error) = sheets(bytes, 100) {
-                prop_assert!(!error.message(Language::Spanish).is_empty() && !error.hint(Language::Spanish).is_empty());
+                prop_assert!(!error.message(catalogues::with(Language::Spanish)).is_empty() && !error.hint(catalogues::with(Language::Spanish)).is_empty());
             }
         }
     }

@@ -70,25 +70,16 @@ impl Sums {
 /// Fewer than three results, all with the same value of the parameter, or numbers that cannot be computed with.
 pub fn line(points: &[Point]) -> Result<Line, Words> {
     if points.len() < 3 {
-        return Err(words(
-            "a line with an error needs the results of three groups at least",
-            "una recta con error necesita los resultados de al menos tres grupos",
-        ));
+        return Err(words("a line with an error needs the results of three groups at least"));
     }
     let results: Vec<Measured> = points.iter().map(|point| point.measured).collect();
     check(&results)?;
     if let Some(place) = points.iter().position(|point| point.x.is_nan() || point.x.abs() >= LARGEST) {
         let number = place + 1;
-        return Err(words!(
-            "the parameter of result {number} is no number, or too large to be computed with",
-            "el parámetro del resultado {number} no es un número, o es demasiado grande para calcular con él"
-        ));
+        return Err(words!("the parameter of result {number} is no number, or too large to be computed with"));
     }
     if points.iter().all(|point| point.x == points[0].x) {
-        return Err(words(
-            "all groups have the same value of the parameter: there is no line through one place",
-            "todos los grupos tienen el mismo valor del parámetro: por un solo lugar no pasa una recta determinada",
-        ));
+        return Err(words("all groups have the same value of the parameter: there is no line through one place"));
     }
     let freedom = points.len() as u32 - 2;
     let tau = scatter(&results, f64::from(freedom), |variance| Sums::new(points, variance).squares);
@@ -99,10 +90,7 @@ pub fn line(points: &[Point]) -> Result<Line, Words> {
     let (intercept_error, intercept_interval) = (reach.error(variance), reach.interval(intercept, variance));
     let ends = [slope_interval.0, slope_interval.1, intercept_interval.0, intercept_interval.1];
     if !ends.iter().all(|end| end.is_finite()) {
-        return Err(words(
-            "the values of the parameter are too close to each other to be computed with",
-            "los valores del parámetro están demasiado juntos para calcular con ellos",
-        ));
+        return Err(words("the values of the parameter are too close to each other to be computed with"));
     }
     let count = points.len();
     Ok(Line { count, slope, slope_error, slope_interval, intercept, intercept_error, intercept_interval, tau })

@@ -8,7 +8,7 @@ pub use power::Power;
 
 use crate::results::Quantity;
 use units::number::{Layout, error_with_unit, plain, unit_text, with_error};
-use units::{Dimension, Language, Unit, Words};
+use units::{Dimension, Language, Unit, Words, say};
 
 /// Significant digits of a parameter.
 const DIGITS: usize = 6;
@@ -58,7 +58,7 @@ impl Against {
         let bracketed = |text: String| if text.is_empty() { text } else { format!(" [{text}]") };
         let [y, x] = self.unit_texts().map(bracketed);
         let (of, parameter) = (&self.y, &self.x);
-        language.pick(format!("{of}{y} against {parameter}{x}"), format!("{of}{y} en función de {parameter}{x}"))
+        say!(language, "{of}{y} against {parameter}{x}")
     }
 
     /// SI units of the power of the quantity and of that of the parameter; empty for pure numbers.
@@ -78,7 +78,7 @@ impl Against {
         let found = match &self.line {
             Ok(line) => line,
             Err(why) => {
-                return language.pick(format!("No line: {}.", why.english), format!("Sin recta: {}.", why.spanish));
+                return say!(language, "No line: {why}.");
             }
         };
         let style = language.style();
@@ -89,15 +89,12 @@ impl Against {
             let end = |end: f64| layout.map_or_else(|| plain(end, DIGITS, style), |layout| layout.number(end, style));
             let [low, high] = [low, high].map(end);
             let value = error_with_unit(&with_error(value, Some(error), style), &unit);
-            language.pick(format!("{value} (95 %: {low} to {high})"), format!("{value} (95 %: de {low} a {high})"))
+            say!(language, "{value} (95 %: {low} to {high})")
         };
         let slope = with_interval(found.slope, found.slope_error, found.slope_interval, &self.units[2]);
         let start = with_interval(found.intercept, found.intercept_error, found.intercept_interval, &self.units[0]);
         let count = found.count;
-        language.pick(
-            format!("Straight line, n = {count}: slope {slope}, value at 0: {start}"),
-            format!("Recta, n = {count}: pendiente {slope}, valor en 0: {start}"),
-        )
+        say!(language, "Straight line, n = {count}: slope {slope}, value at 0: {start}")
     }
 }
 

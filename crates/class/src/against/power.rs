@@ -29,12 +29,8 @@ impl Power {
     /// # Errors
     /// The text is no such power.
     pub fn parse(text: &str) -> Result<Self, Words> {
-        let refused = || {
-            words!(
-                "{text} is no power of a quantity: write a name, a power or a number over it, as L, L^2, 1/L",
-                "{text} no es una potencia de una magnitud: escribe un nombre, una potencia o un número entre ella, como L, L^2, 1/L"
-            )
-        };
+        let refused =
+            || words!("{text} is no power of a quantity: write a name, a power or a number over it, as L, L^2, 1/L");
         let typed = text.trim();
         let (factor, sign, power) = match typed.split_once('/') {
             Some((factor, power)) => (factor.trim().parse().map_err(|_| refused())?, -1, power),

@@ -287,7 +287,6 @@ impl Collection {
         if self.ordered.remove(&index) && self.is_waiting(index) {
             self.entries[index].state = State::Unreadable(words(
                 "its computation has stopped because of a fault in the program; verify it alone",
-                "su cálculo se ha detenido por un fallo del programa; compruébala por separado",
             ));
             self.uncompared.push_back(index);
         }

@@ -39,7 +39,7 @@ impl Collection {
 
 fn far_result(quantity: &Quantity) -> Words {
     let (theory, name) = (&quantity.theory, &quantity.name);
-    words!("{name} ({theory}) is far from the others", "{name} ({theory}) está lejos de los demás")
+    words!("{name} ({theory}) is far from the others")
 }
 
 /// The reason if the last attempts at a question are wrong in the same way.
@@ -47,28 +47,19 @@ fn same_errors(answer: &GivenAnswer) -> Option<Words> {
     let last = answer.attempts.last().filter(|attempt| attempt.grade != Grade::Correct)?;
     let same = answer.attempts.iter().rev().take_while(|attempt| attempt.grade == last.grade).count();
     let number = answer.question + 1;
-    (same >= SAME_ERRORS).then(|| {
-        words!(
-            "question {number}: {same} answers wrong in the same way",
-            "pregunta {number}: {same} respuestas mal del mismo modo"
-        )
-    })
+    (same >= SAME_ERRORS).then(|| words!("question {number}: {same} answers wrong in the same way"))
 }
 
 /// The reason if the group has kept the same run again and again.
 fn same_runs(work: &Work) -> Option<Words> {
     let same = work.equal_runs;
-    (same >= SAME_RUNS)
-        .then(|| words!("the same run was kept {same} times", "la misma simulación se guardó {same} veces"))
+    (same >= SAME_RUNS).then(|| words!("the same run was kept {same} times"))
 }
 
 /// Reasons for fits that do not determine all their parameters, one for each.
 fn undetermined(work: &Work) -> impl Iterator<Item = Words> + '_ {
     work.fits.iter().filter(|fit| !fit.determined).map(|fit| {
         let (theory, record) = (&fit.theory, &fit.record);
-        words!(
-            "the fit of {theory} to {record} does not determine its parameters",
-            "el ajuste de {theory} a {record} no determina sus parámetros"
-        )
+        words!("the fit of {theory} to {record} does not determine its parameters")
     })
 }

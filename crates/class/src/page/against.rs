@@ -24,7 +24,7 @@ pub fn against(asked: &Against, collection: &Collection, most: usize, look: Look
     page.raw(&straight_line(asked, look));
     page.raw("</figure>\n");
     page.element("p", &asked.sentence(language));
-    let headings = [language.pick("Name", "Nombre"), &format!("#{}", asked.x), &format!("#{}", asked.y)];
+    let headings = [language.say("Name"), &format!("#{}", asked.x), &format!("#{}", asked.y)];
     page.table("", &headings);
     for (index, point) in asked.points.iter().take(most) {
         let [x, y] = asked.texts(*point, language);
@@ -46,10 +46,10 @@ fn straight_line(asked: &Against, look: Look) -> String {
     let drawn = asked.line.as_ref().ok().map(|line| ends.map(|x| line.intercept + line.slope * x));
     let mut series = Vec::new();
     if let Some(drawn) = &drawn {
-        let label = language.pick("straight line", "recta");
+        let label = language.say("straight line");
         series.push(Series { label, colour: 1, x: &ends, y: drawn, ..Series::default() });
     }
-    let label = language.pick("groups", "grupos");
+    let label = language.say("groups");
     series.push(Series { label, style: Style::Points, x: &x, y: &y, spread: &errors, ..Series::default() });
     let ([unit, x_unit], [name, x_name]) = (asked.unit_texts(), [&asked.y, &asked.x].map(ToString::to_string));
     let plot = Plot {
@@ -111,14 +111,14 @@ fn figure(quantity: &Quantity, collection: &Collection, parameter: &Fixed, look:
     let (curve_x, curve_y): (Vec<f64>, Vec<f64>) = points.unzip();
     let mut series = Vec::new();
     if !curve_x.is_empty() {
-        let label = language.pick("theory", "teoría");
+        let label = language.say("theory");
         series.push(Series { label, colour: 1, x: &curve_x, y: &curve_y, ..Series::default() });
     }
-    let label = language.pick("groups", "grupos");
+    let label = language.say("groups");
     series.push(Series { label, style: Style::Points, x: &x, y: &y, spread: &errors, ..Series::default() });
     let (name, against) = (plain_symbol(&quantity.name), plain_symbol(&parameter.name));
     let (unit, against_unit) = (unit_text(&quantity.unit), unit_text(&parameter.unit));
-    let description = format!("{name}{}{against}", language.pick(" against ", " en función de "));
+    let description = format!("{name}{}{against}", language.say(" against "));
     let plot = Plot {
         description: &description,
         x: Axis { label: &against, unit: &against_unit, ..Axis::default() },

@@ -5,7 +5,7 @@ use crate::collection::{Collection, ErrorKind, QuestionTally};
 use crate::results::Quantity;
 use desk::play::Grade;
 use report::{Page, escaped};
-use units::Language;
+use units::{Language, say};
 
 /// Maximum number of examples of an error that are shown.
 const MOST_EXAMPLES: usize = 6;
@@ -15,24 +15,18 @@ pub fn questions(questions: &[QuestionTally], language: Language) -> String {
     let mut page = Page::default();
     for tally in questions {
         let number = tally.question + 1;
-        page.element("h3", &language.pick(format!("Question {number}"), format!("Pregunta {number}")));
+        page.element("h3", &say!(language, "Question {number}"));
         // The text of a question is markup of the document, made safe when it was opened.
         page.wrapped("div class=\"prompt\"", &tally.prompt);
         let (first, last) = (tally.first.text(language), tally.last.text(language));
-        page.element(
-            "p",
-            &language.pick(
-                format!("Right at the first attempt: {first}. At the last: {last}."),
-                format!("Bien al primer intento: {first}. Al último: {last}."),
-            ),
-        );
+        page.element("p", &say!(language, "Right at the first attempt: {first}. At the last: {last}."));
         let (revealed, without) = (tally.revealed, tally.without);
         if without > 0 {
-            let text = language.pick("Groups that have not tried", "Grupos que no lo han intentado");
+            let text = language.say("Groups that have not tried");
             page.element("p", &format!("{text}: {without}."));
         }
         if revealed > 0 {
-            let text = language.pick("Groups that have looked at the answer", "Grupos que han mirado la respuesta");
+            let text = language.say("Groups that have looked at the answer");
             page.element("p", &format!("{text}: {revealed}."));
         }
         errors(&mut page, &tally.errors, language);
@@ -44,18 +38,18 @@ fn errors(page: &mut Page, errors: &[ErrorKind], language: Language) {
     if errors.is_empty() {
         return;
     }
-    let headings = language.pick(["Error", "#Groups", "Examples"], ["Error", "#Grupos", "Ejemplos"]);
+    let headings = language.say_all(["Error", "#Groups", "Examples"]);
     page.table("wide", &headings);
     for kind in errors {
         let example = |(typed, right, count): &(String, String, usize)| {
             let times = if *count > 1 { format!(" (×{count})") } else { String::new() };
-            let instead = language.pick("instead of", "en vez de");
+            let instead = language.say("instead of");
             format!("<q>{}</q>{times} {instead} {}", escaped(typed), escaped(right))
         };
         let mut examples: Vec<String> = kind.examples.iter().take(MOST_EXAMPLES).map(example).collect();
         let more = kind.examples.len().saturating_sub(MOST_EXAMPLES);
         if more > 0 {
-            examples.push(language.pick(format!("and {more} more"), format!("y {more} más")));
+            examples.push(say!(language, "and {more} more"));
         }
         let groups = format!("#{}", kind.groups);
         page.row(&[error_name(kind.grade, language), &groups, &examples.join("<br>")]);
@@ -66,13 +60,13 @@ fn errors(page: &mut Page, errors: &[ErrorKind], language: Language) {
 /// Name of a kind of error.
 fn error_name(grade: Grade, language: Language) -> &'static str {
     match grade {
-        Grade::Correct => language.pick("right", "bien"),
-        Grade::Close => language.pick("close", "cerca"),
-        Grade::WrongSign => language.pick("wrong sign", "signo equivocado"),
-        Grade::WrongScale => language.pick("wrong power of ten", "potencia de diez equivocada"),
-        Grade::Wrong => language.pick("wrong", "mal"),
-        Grade::Unreadable => language.pick("not a number, or another unit", "no es un número, u otra unidad"),
-        Grade::Unanswerable => language.pick("no answer for these values", "sin respuesta para estos valores"),
+        Grade::Correct => language.say("right"),
+        Grade::Close => language.say("nearly right"),
+        Grade::WrongSign => language.say("wrong sign"),
+        Grade::WrongScale => language.say("wrong power of ten"),
+        Grade::Wrong => language.say("wrong"),
+        Grade::Unreadable => language.say("not a number, or another unit"),
+        Grade::Unanswerable => language.say("no answer for these values"),
     }
 }
 
@@ -88,7 +82,7 @@ pub fn stuck(collection: &Collection, quantities: &[Quantity], language: Languag
         return page.out;
     }
     if stuck.is_empty() {
-        page.element("p", language.pick("No group is stuck.", "Ningún grupo está atascado."));
+        page.element("p", language.say("No group is stuck."));
         return page.out;
     }
     page.raw("<ul>\n");

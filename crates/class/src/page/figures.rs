@@ -76,10 +76,10 @@ pub fn curves(
         (series.style, series.label, series.colour) = (Style::Run(number as u8), label, 0);
     }
     if let Some((_, FittedCurve { curve_times, curve_values, .. })) = typical {
-        let label = language.pick("theory", "teoría");
+        let label = language.say("theory");
         series.push(Series { label, colour: THEORY, x: curve_times, y: curve_values, ..Series::default() });
     }
-    let description = language.pick("measured curves of all groups", "curvas medidas de todos los grupos");
+    let description = language.say("measured curves of all groups");
     draw(group, ("", description), series, look, look.height)
 }
 
@@ -88,8 +88,7 @@ pub fn residuals(collection: &Collection, group: &CurveGroup, members: &[Member]
     let fits = members.iter().take(MOST_CURVES).filter_map(|member| collection.fit_of(*member));
     let most = most_points(members.len());
     let drawn: Vec<Points> = fits.map(|fit| (thinned(&fit.times, most), thinned(&fit.residuals, most))).collect();
-    let description =
-        look.language.pick("residuals of the fits of all groups", "residuos de los ajustes de todos los grupos");
+    let description = look.language.say("residuals of the fits of all groups");
     (!drawn.is_empty()).then(|| draw(group, ("Δ", description), ghosts(&drawn), look, 190.0))
 }
 
@@ -146,20 +145,20 @@ pub fn results(quantity: &Quantity, look: Look) -> String {
     });
     let mut series = Vec::new();
     if let Some((y, spread)) = &pooled {
-        let label = language.pick("pooled, 95 %", "conjunto, 95 %");
+        let label = language.say("pooled, 95 %");
         series.push(Series { label, colour: POOLED, x: &ends, y, spread, ..Series::default() });
     }
-    let named = [(language.pick("groups", "grupos"), &near, RESULTS), (language.pick("far", "lejos"), &outside, FAR)];
+    let named = [(language.say("groups"), &near, RESULTS), (language.say("far"), &outside, FAR)];
     for (label, [x, y, spread], colour) in named {
         if !x.is_empty() {
             series.push(Series { label, style: Style::Points, colour, x, y, spread, ..Series::default() });
         }
     }
     let (name, unit) = (plain_symbol(&quantity.name), unit_text(&quantity.unit));
-    let description = [name.as_str(), language.pick(": results of the groups", ": resultados de los grupos")].concat();
+    let description = [name.as_str(), language.say(": results of the groups")].concat();
     let plot = Plot {
         description: &description,
-        x: Axis { label: language.pick("group", "grupo"), ..Axis::default() },
+        x: Axis { label: language.say("group"), ..Axis::default() },
         y: vec![Axis { label: &name, unit: &unit, ..Axis::default() }],
         series,
         view: View { x: Some(Interval::new(ends[0], ends[1])), y: Vec::new() },
@@ -185,17 +184,12 @@ pub fn histogram(quantity: &Quantity, look: Look) -> String {
     }
     let middles: Vec<f64> = (0..bins).map(|bin| low + (bin as f64 + 0.5) * width).collect();
     let (name, unit) = (plain_symbol(&quantity.name), unit_text(&quantity.unit));
-    let description =
-        [name.as_str(), language.pick(": number of groups by result", ": número de grupos por resultado")].concat();
+    let description = [name.as_str(), language.say(": number of groups by result")].concat();
     let bars = Series { style: Style::Bars, colour: RESULTS, x: &middles, y: &counts, width, ..Series::default() };
     let plot = Plot {
         description: &description,
         x: Axis { label: &name, unit: &unit, ..Axis::default() },
-        y: vec![Axis {
-            label: language.pick("groups", "grupos"),
-            include: Some(Interval::new(0.0, 2.0)),
-            ..Axis::default()
-        }],
+        y: vec![Axis { label: language.say("groups"), include: Some(Interval::new(0.0, 2.0)), ..Axis::default() }],
         series: vec![bars],
         steady: true,
         ..Plot::default()

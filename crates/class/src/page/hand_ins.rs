@@ -3,7 +3,7 @@
 use crate::collection::{Collection, Entry, State};
 use crate::verify::Copied;
 use report::{Page, escaped};
-use units::Language;
+use units::{Language, say};
 
 /// Maximum number of lines about a hand-in.
 const MOST_LINES: usize = 20;
@@ -11,10 +11,7 @@ const MOST_LINES: usize = 20;
 /// Table of all files, then the data that two of them share.
 pub fn hand_ins(collection: &Collection, language: Language) -> String {
     let mut page = Page::default();
-    let headings = language.pick(
-        ["#Group", "Name", "#Seat", "File", "Verification"],
-        ["#Grupo", "Nombre", "#Puesto", "Archivo", "Comprobación"],
-    );
+    let headings = language.say_all(["#Group", "Name", "#Seat", "File", "Verification"]);
     page.table("wide", &headings);
     for (index, entry) in collection.entries().iter().enumerate() {
         let seat = entry.hand_in().and_then(|hand_in| hand_in.sender.seat);
@@ -34,14 +31,11 @@ pub fn hand_ins(collection: &Collection, language: Language) -> String {
 /// Lines about the state of a file: one for its verification, and one for each value that does not follow.
 pub fn state_lines(entry: &Entry, collection: &Collection, language: Language) -> Vec<String> {
     match entry.state() {
-        State::Waiting => vec![language.pick("is being computed", "se está calculando").to_owned()],
-        State::Unreadable(why) => vec![why.text(language).to_owned()],
+        State::Waiting => vec![language.say("is being computed").to_owned()],
+        State::Unreadable(why) => vec![why.text(language).into_owned()],
         State::Repeated(counts) => {
             let other = collection.entries().get(*counts).map_or("", Entry::file);
-            vec![language.pick(
-                format!("was made before {other}, which counts"),
-                format!("se hizo antes que {other}, que es la que cuenta"),
-            )]
+            vec![say!(language, "was made before {other}, which counts")]
         }
         State::Done(work) => work.verdict.lines(language),
     }
@@ -53,7 +47,7 @@ pub fn state_text(entry: &Entry, collection: &Collection, language: Language) ->
     let more = lines.len().saturating_sub(MOST_LINES);
     if more > 0 {
         lines.truncate(MOST_LINES);
-        lines.push(language.pick(format!("and {more} further lines"), format!("y {more} líneas más")));
+        lines.push(say!(language, "and {more} further lines"));
     }
     lines
 }

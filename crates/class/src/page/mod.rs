@@ -21,7 +21,7 @@ use crate::collection::Collection;
 use crate::verify::meaning;
 use figure::Palette;
 use report::Page;
-use units::Language;
+use units::{Language, say};
 
 /// Maximum number of quantities whose curves are drawn in a report.
 const MOST_GROUPS: usize = 12;
@@ -29,36 +29,36 @@ const MOST_GROUPS: usize = 12;
 /// A report of all groups as one self-contained HTML page. `asked`: quantities against a parameter. `date` and `version` stand at
 /// its end; an empty date is left out.
 pub fn html(collection: &Collection, asked: &[Against], language: Language, version: &str, date: &str) -> String {
-    let title = language.pick("Results of a class", "Resultados de una clase");
+    let title = language.say("Results of a class");
     let look = Look { width: 700.0, height: 300.0, palette: &Palette::LIGHT, language };
     let mut page = Page::default();
     page.raw("<header>\n");
-    page.element("p class=\"kicker\"", language.pick("Class", "Clase"));
+    page.element("p class=\"kicker\"", language.say("Class"));
     page.element("h1", title);
     page.element("p class=\"meta\"", &count_text(collection, language));
     page.raw("</header>\n");
     curves_section(&mut page, collection, look);
     let quantities = collection.quantities();
     if !quantities.is_empty() {
-        page.heading(language.pick("Fitted quantities", "Magnitudes ajustadas"));
+        page.heading(language.say("Fitted quantities"));
         for one in &quantities {
             page.raw(&quantity(one, collection, usize::MAX, look));
         }
     }
     if !asked.is_empty() {
-        page.heading(language.pick("Results against a parameter", "Resultados en función de un parámetro"));
+        page.heading(language.say("Results against a parameter"));
         asked.iter().for_each(|one| page.raw(&against(one, collection, usize::MAX, look)));
     }
     let questions = questions(&collection.questions(), language);
     if !questions.is_empty() {
-        page.heading(language.pick("Answers", "Respuestas"));
+        page.heading(language.say("Answers"));
         page.raw(&questions);
     }
-    page.heading(language.pick("Stuck", "Atascados"));
+    page.heading(language.say("Stuck"));
     page.raw(&stuck(collection, &quantities, language));
-    page.heading(language.pick("Hand-ins", "Entregas"));
+    page.heading(language.say("Hand-ins"));
     page.raw(&hand_ins(collection, language));
-    page.element("p class=\"note\"", meaning().text(language));
+    page.element("p class=\"note\"", &meaning().text(language));
     report::footer(&mut page, language, version, date);
     report::page_of(title, language.tag(), version, &page.out)
 }
@@ -69,7 +69,7 @@ fn curves_section(page: &mut Page, collection: &Collection, look: Look) {
     if groups.is_empty() {
         return;
     }
-    page.heading(language.pick("Measured curves", "Curvas medidas"));
+    page.heading(language.say("Measured curves"));
     for group in groups.iter().take(MOST_GROUPS) {
         page.raw("<figure>\n");
         page.raw(&curves(collection, group, &group.members, &[], look));
@@ -79,7 +79,7 @@ fn curves_section(page: &mut Page, collection: &Collection, look: Look) {
     }
     if groups.len() > MOST_GROUPS {
         let rest = groups.len() - MOST_GROUPS;
-        let text = language.pick("Further quantities are not drawn: ", "Otras magnitudes no se dibujan: ");
+        let text = language.say("Further quantities are not drawn: ");
         page.element("p class=\"note\"", &format!("{text}{rest}."));
     }
 }
@@ -87,24 +87,18 @@ fn curves_section(page: &mut Page, collection: &Collection, look: Look) {
 /// Caption of the curves of a quantity: their number, the theory that is drawn, and what is left out.
 pub fn curves_caption(collection: &Collection, group: &crate::collection::CurveGroup, language: Language) -> String {
     let count = group.members.len();
-    let mut text = language.pick(format!("{count} measured curves."), format!("{count} curvas medidas."));
+    let mut text = say!(language, "{count} measured curves.");
     if let Some((member, fit)) = collection.typical_fit(group) {
         let sender = collection.sender(member.hand_in);
         let theory = &fit.theory;
-        text += &language.pick(
-            format!(
-                " The bold curve is the fit of {theory} by {sender}, whose residuals have the median size. Below, what the \
+        text += &say!(
+            language,
+            " The bold curve is the fit of {theory} by {sender}, whose residuals have the median size. Below, what the \
                  fit of each group leaves over."
-            ),
-            format!(
-                " La curva gruesa es el ajuste de {theory} de {sender}, cuyos residuos tienen el tamaño mediano. Abajo, lo \
-                 que deja el ajuste de cada grupo."
-            ),
         );
     }
     if count > MOST_CURVES {
-        text += &language
-            .pick(format!(" The first {MOST_CURVES} are drawn."), format!(" Se dibujan las primeras {MOST_CURVES}."));
+        text += &say!(language, " The first {MOST_CURVES} are drawn.");
     }
     text
 }

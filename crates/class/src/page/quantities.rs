@@ -7,7 +7,7 @@ use crate::pooling::{Measured, Pool, Pooled};
 use crate::results::Quantity;
 use report::{Page, escaped, symbol};
 use units::number::{Layout, plain, unit_text, with_error, with_unit};
-use units::{Language, Unit};
+use units::{Language, Unit, say};
 
 /// Number of results from which on a histogram is drawn.
 const FOR_HISTOGRAM: usize = 8;
@@ -27,8 +27,7 @@ pub fn quantity(quantity: &Quantity, collection: &Collection, most: usize, look:
     for sentence in pooled(quantity, language) {
         page.element("p", &sentence);
     }
-    let headings =
-        language.pick(["#Group", "Name", "#Result", "Remark"], ["#Grupo", "Nombre", "#Resultado", "Observación"]);
+    let headings = language.say_all(["#Group", "Name", "#Result", "Remark"]);
     page.table("", &headings);
     for (place, (index, measured)) in quantity.results.iter().enumerate().take(most) {
         let sender = collection.sender(*index);
@@ -38,7 +37,7 @@ pub fn quantity(quantity: &Quantity, collection: &Collection, most: usize, look:
     page.end_table();
     let rest = quantity.results.len().saturating_sub(most);
     if rest > 0 {
-        let text = language.pick("Further groups, listed in the report", "Otros grupos, que están en el informe");
+        let text = language.say("Further groups, listed in the report");
         page.element("p class=\"note\"", &format!("{text}: {rest}."));
     }
     page.raw(&against::section(quantity, collection, look));
@@ -60,14 +59,14 @@ pub fn result_text(quantity: &Quantity, Measured { value, error }: Measured, lan
 pub fn far_text(quantity: &Quantity, place: usize, language: Language) -> String {
     let Some(outlier) = quantity.outlier(place) else { return String::new() };
     let reason = outlier.reason.map(|reason| format!(": {}", reason.words().text(language)));
-    format!("{}{}", language.pick("far from the others", "lejos de los demás"), reason.unwrap_or_default())
+    format!("{}{}", language.say("far from the others"), reason.unwrap_or_default())
 }
 
 /// Sentences about the pooled value: with all results, and without those far from the others; or why there is none.
 pub fn pooled(quantity: &Quantity, language: Language) -> Vec<String> {
     let Pool { all, without, .. } = match &quantity.pool {
         Ok(pool) => pool,
-        Err(why) => return vec![format!("{}.", capitalised(why.text(language)))],
+        Err(why) => return vec![format!("{}.", capitalised(&why.text(language)))],
     };
     let (scale, style) = (scale(quantity), language.style());
     let unit = unit_text(&quantity.unit);
@@ -83,14 +82,13 @@ pub fn pooled(quantity: &Quantity, language: Language) -> Vec<String> {
         let layout = Layout::of_errors([(pooled.value / scale, pooled.error / scale)]);
         let end = |value: f64| layout.map_or_else(|| plain(value, 6, style), |layout| layout.number(value, style));
         let (low, high) = (end(pooled.interval.0 / scale), end(pooled.interval.1 / scale));
-        let between =
-            language.pick(format!("95 %: {low} to {high}{gap}{unit}"), format!("95 %: de {low} a {high}{gap}{unit}"));
+        let between = say!(language, "95 %: {low} to {high}{gap}{unit}");
         let value = with_error(pooled.value / scale, Some(pooled.error / scale), style);
         let scatter = pooled.scatter_text(language, number);
         format!("{title}, n = {}: {value}{gap}{unit} ({between}). {scatter}", pooled.count)
     };
-    let mut sentences = vec![line(language.pick("Pooled", "Conjunto"), all)];
-    let title = language.pick("Without those far from the others", "Sin los que están lejos de los demás");
+    let mut sentences = vec![line(language.say("Pooled"), all)];
+    let title = language.say("Without those far from the others");
     sentences.extend(without.as_ref().map(|without| line(title, without)));
     sentences
 }

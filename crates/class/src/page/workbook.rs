@@ -18,10 +18,15 @@ fn head<const N: usize>(names: [&str; N]) -> Vec<Cell> {
 }
 
 fn results(collection: &Collection, language: Language) -> Sheet {
-    let mut rows = vec![head(language.pick(
-        ["Theory", "Quantity", "Unit", "Group", "Value", "Standard error", "Far from the others"],
-        ["Teoría", "Magnitud", "Unidad", "Grupo", "Valor", "Error estándar", "Lejos de los demás"],
-    ))];
+    let mut rows = vec![head(language.say_all([
+        "Theory",
+        "Quantity",
+        "Unit",
+        "Group",
+        "Value",
+        "Standard error",
+        "Far from the others",
+    ]))];
     for quantity in collection.quantities() {
         let scale = scale(&quantity);
         for (place, (index, measured)) in quantity.results.iter().enumerate() {
@@ -47,19 +52,17 @@ fn results(collection: &Collection, language: Language) -> Sheet {
             ]
         };
         if let Ok(pool) = &quantity.pool {
-            rows.push(pooled(language.pick("pooled", "conjunto"), &pool.all));
-            let title = language.pick("pooled without those far", "conjunto sin los que están lejos");
+            rows.push(pooled(language.say("pooled"), &pool.all));
+            let title = language.say("pooled without those far");
             rows.extend(pool.without.as_ref().map(|without| pooled(title, without)));
         }
     }
-    Sheet { name: language.pick("Results", "Resultados").to_owned(), rows, header: true }
+    Sheet { name: language.say("Results").to_owned(), rows, header: true }
 }
 
 fn answers(collection: &Collection, language: Language) -> Sheet {
-    let mut rows = vec![head(language.pick(
-        ["Group", "Document", "Question", "Attempt", "Typed", "Grade", "Right answer"],
-        ["Grupo", "Documento", "Pregunta", "Intento", "Escrito", "Nota", "Respuesta correcta"],
-    ))];
+    let mut rows =
+        vec![head(language.say_all(["Group", "Document", "Question", "Attempt", "Typed", "Grade", "Right answer"]))];
     for (index, work) in collection.works() {
         for answer in &work.answers {
             for (attempt, number) in answer.attempts.iter().zip(1..) {
@@ -75,13 +78,11 @@ fn answers(collection: &Collection, language: Language) -> Sheet {
             }
         }
     }
-    Sheet { name: language.pick("Answers", "Respuestas").to_owned(), rows, header: true }
+    Sheet { name: language.say("Answers").to_owned(), rows, header: true }
 }
 
 fn hand_ins(collection: &Collection, language: Language) -> Sheet {
-    let mut rows = vec![head(
-        language.pick(["Group", "Seat", "File", "Verification"], ["Grupo", "Puesto", "Archivo", "Comprobación"]),
-    )];
+    let mut rows = vec![head(language.say_all(["Group", "Seat", "File", "Verification"]))];
     for entry in collection.entries() {
         let seat = entry.hand_in().and_then(|hand_in| hand_in.sender.seat);
         let mut row = vec![
@@ -94,5 +95,5 @@ fn hand_ins(collection: &Collection, language: Language) -> Sheet {
     }
     let shared = collection.copies().iter().map(|copied| vec![copied_text(copied, collection, language).into()]);
     rows.extend(shared);
-    Sheet { name: language.pick("Hand-ins", "Entregas").to_owned(), rows, header: true }
+    Sheet { name: language.say("Hand-ins").to_owned(), rows, header: true }
 }

@@ -15,7 +15,7 @@ pub(crate) use scatter::scatter;
 
 use outliers::{is_outlier, reason};
 use quantiles::chi_squared;
-use units::{Language, Words, words};
+use units::{Language, Words, say, words};
 
 /// A pooled value. Intervals hold with a probability of 95 %.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,10 +62,7 @@ pub struct Pool {
 /// squares cannot be computed.
 pub fn pool(results: &[Measured]) -> Result<Pool, Words> {
     if results.len() < 2 {
-        return Err(words(
-            "a pooled value needs the results of two groups at least",
-            "un valor conjunto necesita los resultados de al menos dos grupos",
-        ));
+        return Err(words("a pooled value needs the results of two groups at least"));
     }
     check(results)?;
     let marked: Vec<bool> = is_outlier(results);
@@ -86,19 +83,13 @@ pub(crate) fn check(results: &[Measured]) -> Result<(), Words> {
     for (index, one) in results.iter().enumerate() {
         let number = index + 1;
         if !one.value.is_finite() {
-            return Err(words!("result {number} is not a number", "el resultado {number} no es un número"));
+            return Err(words!("result {number} is not a number"));
         }
         if !(one.error > 0.0 && one.error.is_finite()) {
-            return Err(words!(
-                "result {number} has no standard error above 0; without one it cannot be weighted",
-                "el resultado {number} no tiene un error típico mayor que 0; sin él no se puede ponderar"
-            ));
+            return Err(words!("result {number} has no standard error above 0; without one it cannot be weighted"));
         }
         if !is_computable(*one) {
-            return Err(words!(
-                "result {number} or its error is too large or too small to be computed with",
-                "el resultado {number} o su error es demasiado grande o pequeño para calcular con él"
-            ));
+            return Err(words!("result {number} or its error is too large or too small to be computed with"));
         }
     }
     Ok(())
@@ -140,14 +131,14 @@ impl Pooled {
     pub fn scatter_text(&self, language: Language, number: impl Fn(f64) -> String) -> String {
         let (tau, low, high) = (number(self.tau), number(self.tau_interval.0), number(self.tau_interval.1));
         if self.tau_interval.0 > 0.0 {
-            return language.pick(
-                format!("The groups differ by more than their errors explain: by {tau} (95 %: {low} to {high}). Look for what they did differently, or for errors that are too small."),
-                format!("Los grupos difieren más de lo que explican sus errores: en {tau} (95 %: de {low} a {high}). Busca qué hicieron de otra manera, o errores demasiado pequeños."),
+            return say!(
+                language,
+                "The groups differ by more than their errors explain: by {tau} (95 %: {low} to {high}). Look for what they did differently, or for errors that are too small."
             );
         }
-        language.pick(
-            format!("The groups agree within their errors. A scatter between them of up to {high} is not excluded (95 %)."),
-            format!("Los grupos concuerdan dentro de sus errores. No se excluye una dispersión entre ellos de hasta {high} (95 %)."),
+        say!(
+            language,
+            "The groups agree within their errors. A scatter between them of up to {high} is not excluded (95 %)."
         )
     }
 }

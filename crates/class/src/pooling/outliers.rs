@@ -31,16 +31,10 @@ impl Reason {
     /// Description for people.
     pub fn words(self) -> Words {
         match self {
-            Self::Unit => words("another power of ten: look at the unit", "otra potencia de diez: mira la unidad"),
-            Self::Double => words(
-                "twice or half as large: radius for diameter, or the like",
-                "el doble o la mitad: radio por diámetro, o algo parecido",
-            ),
-            Self::Angular => words(
-                "a factor of 2π: frequency for angular frequency",
-                "un factor 2π: frecuencia por frecuencia angular",
-            ),
-            Self::Sign => words("the other sign", "el otro signo"),
+            Self::Unit => words("another power of ten: look at the unit"),
+            Self::Double => words("twice or half as large: radius for diameter, or the like"),
+            Self::Angular => words("a factor of 2π: frequency for angular frequency"),
+            Self::Sign => words("the other sign"),
         }
     }
 }

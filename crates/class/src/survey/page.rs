@@ -27,8 +27,8 @@ pub fn html(surveys: &[Results], released: bool, language: Language, version: &s
     let look = SurveyLook { palette: &Palette::LIGHT, language };
     let mut page = Page::default();
     page.raw("<header>\n");
-    page.element("p class=\"kicker\"", language.pick("Answers without names", "Respuestas sin nombres"));
-    let title = language.pick("Survey", "Encuesta");
+    page.element("p class=\"kicker\"", language.say("Answers without names"));
+    let title = language.say("Survey");
     page.element("h1", title);
     page.raw("</header>\n");
     for survey in surveys {
@@ -39,7 +39,7 @@ pub fn html(surveys: &[Results], released: bool, language: Language, version: &s
             if released {
                 comments(&mut page, &tally.comments);
             } else {
-                let hidden = language.pick("The comments are not released.", "Los comentarios no están publicados.");
+                let hidden = language.say("The comments are not released.");
                 page.element("p class=\"note\"", hidden);
             }
         }
@@ -70,11 +70,8 @@ pub fn figures(survey: &Results, look: SurveyLook<'_>) -> String {
 /// Sentence about items that are not shown.
 pub fn held_back(survey: &Results, language: Language) -> Option<String> {
     let (count, least) = (survey.held_back, super::LEAST);
-    let sentence = words!(
-        "{count} items have fewer than {least} answers and are not shown.",
-        "{count} elementos tienen menos de {least} respuestas y no se muestran."
-    );
-    (count > 0).then(|| sentence.text(language).to_owned())
+    let sentence = words!("{count} items have fewer than {least} answers and are not shown.");
+    (count > 0).then(|| sentence.text(language).into_owned())
 }
 
 /// The question of free texts, a cloud of their frequent words, and the list of frequencies, as markup.
@@ -85,26 +82,20 @@ pub fn frequent_words(tally: &Tally, look: SurveyLook<'_>) -> String {
     let words: Vec<(&str, usize)> =
         tally.words.iter().take(WORDS).map(|Word { text, persons }| (text.as_str(), *persons)).collect();
     if words.is_empty() {
-        let none = language.pick("No word was used by two persons.", "Ninguna palabra la usaron dos personas.");
+        let none = language.say("No word was used by two persons.");
         page.element("p class=\"note\"", none);
         return page.out;
     }
     page.raw("<figure>\n");
-    let name = language.pick("Word cloud", "Nube de palabras");
-    let described = language.pick(
-        "The words with their numbers stand in the list below.",
-        "Las palabras con sus números están en la lista de abajo.",
-    );
+    let name = language.say("Word cloud");
+    let described = language.say("The words with their numbers stand in the list below.");
     page.raw(&word_cloud(&words, WIDTH, CLOUD_HEIGHT).svg(name, described, look.palette));
     page.element(
         "figcaption",
-        language.pick(
-            "Words of at least two persons. The area of a word grows with the number of persons.",
-            "Palabras de al menos dos personas. El área de una palabra crece con el número de personas.",
-        ),
+        language.say("Words of at least two persons. The area of a word grows with the number of persons."),
     );
     page.raw("</figure>\n");
-    page.table("words", &[language.pick("Word", "Palabra"), language.pick("#Persons", "#Personas")]);
+    page.table("words", &[language.say("Word"), language.say("#Persons")]);
     for (word, persons) in words {
         page.row(&[&isolated(word), &format!("#{persons}")]);
     }
@@ -130,17 +121,14 @@ fn bars(page: &mut Page, tallies: &[&Tally], look: SurveyLook<'_>) {
         return;
     }
     page.raw("<figure>\n");
-    let name = language.pick("Answers on scales", "Respuestas en escalas");
-    let described =
-        language.pick("The numbers stand in the tables below.", "Los números están en las tablas de abajo.");
+    let name = language.say("Answers on scales");
+    let described = language.say("The numbers stand in the tables below.");
     page.raw(&scale_bars(&rows, WIDTH, name, described, look.palette));
     page.element(
         "figcaption",
-        language.pick(
+        language.say(
             "One bar for each statement, from the lowest step on the left to the highest on the right. The line divides \
              the lower steps from the upper ones and halves the middle step.",
-            "Una barra por afirmación, del paso más bajo a la izquierda al más alto a la derecha. La línea separa los \
-             pasos bajos de los altos y divide por la mitad el paso central.",
         ),
     );
     page.raw("</figure>\n");
@@ -153,11 +141,7 @@ fn end(tally: &Tally, place: usize) -> &str {
 
 /// Table of the shares of an item.
 fn shares(page: &mut Page, tally: &Tally, language: Language) {
-    let headings = [
-        language.pick("Answer", "Respuesta"),
-        language.pick("#Persons", "#Personas"),
-        language.pick("#Share (95 % interval)", "#Proporción (intervalo del 95 %)"),
-    ];
+    let headings = [language.say("Answer"), language.say("#Persons"), language.say("#Share (95 % interval)")];
     page.table("wide", &headings);
     let last = tally.item.answers.saturating_sub(1);
     for (index, (answer, share)) in tally.answers().into_iter().zip(&tally.shares).enumerate() {

@@ -1,6 +1,8 @@
 //! Words that say nothing about the subject. Negations are not among them.
 
+use frostem::Algorithm;
 use std::collections::HashSet;
+use units::Language;
 
 const ENGLISH: &str = "a about above after again against all also although am an and any are as at be because been before being \
     below between both but by can cannot could did do does doing down during each either else even ever every few for from \
@@ -24,23 +26,32 @@ const SPANISH: &str = "a acá ahí al algo algún alguna algunas alguno algunos 
     ti tiene tienen toda todas todavía todo todos tras tu tú tus tuve tuvo u un una unas uno unos usted ustedes va van vez \
     veces voy y ya yo";
 
-/// The stop words of both languages.
-pub struct StopWords {
-    /// English stop words.
-    pub english: HashSet<&'static str>,
-    /// Spanish stop words.
-    pub spanish: HashSet<&'static str>,
+const PORTUGUESE: &str = "a à ao aos aquela aquelas aquele aqueles aquilo as às até bastante bem cada coisa coisas com como contra da \
+    das de dela delas dele deles demais depois desde dessa dessas desse desses desta destas deste destes disso disto do dos durante e \
+    é ela elas ele eles em enquanto então entre era eram essa essas esse esses esta está estão estar estas estava estavam este estes \
+    estou eu faz fazem fazer foi foram há havia isso isto já la lá lhe lhes logo mais mas me mediante menos mesma mesmas mesmo mesmos \
+    meu meus minha minhas muita muitas muito muitos na nada nas nem nessa nesse nesta neste no nos nós nossa nossas nosso nossos num \
+    numa o onde os ou outra outras outro outros para pela pelas pelo pelos perante pode podem pois por porque posso pouca poucas pouco \
+    poucos pra qual quais qualquer quando quanto que quê quem quase são se seja sem sempre sendo ser seu seus sido sim sob sobre sua \
+    suas só talvez também tanta tanto te tem têm tenho ter teria teve tinha tive toda todas todo todos tu tudo um uma umas uns vai vão \
+    vez vezes você vocês";
+
+/// What is known of the comments in a language.
+pub struct Known {
+    /// The language.
+    pub language: Language,
+    /// Joins forms of a word.
+    pub stemmer: Algorithm,
+    /// Words that say nothing about the subject.
+    pub stop_words: HashSet<&'static str>,
 }
 
-impl StopWords {
-    /// All stop words.
-    pub fn new() -> Self {
-        let [english, spanish] = [ENGLISH, SPANISH].map(|words| words.split_whitespace().collect());
-        Self { english, spanish }
-    }
-
-    /// True if the word is a stop word of one of the languages.
-    pub fn contains(&self, word: &str) -> bool {
-        self.english.contains(word) || self.spanish.contains(word)
-    }
+/// The known languages. Of two that fit a comment equally, the first one counts.
+pub fn known() -> [Known; 3] {
+    [
+        (Language::English, Algorithm::English, ENGLISH),
+        (Language::Spanish, Algorithm::Spanish, SPANISH),
+        (Language::Portuguese, Algorithm::Portuguese, PORTUGUESE),
+    ]
+    .map(|(language, stemmer, words)| Known { language, stemmer, stop_words: words.split_whitespace().collect() })
 }

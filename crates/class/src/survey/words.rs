@@ -1,7 +1,7 @@
 //! Frequent words of free texts.
 
-use super::stop_words::StopWords;
-use frostem::{Algorithm, Stemmer};
+use super::stop_words::{Known, known};
+use frostem::Stemmer;
 use std::collections::{BTreeMap, BTreeSet};
 use units::Language;
 use units::order::sort_by;
@@ -25,7 +25,7 @@ pub struct Word {
 enum Token {
     /// A word in lower case.
     Word(String),
-    /// `no` or `not`.
+    /// `no`, `not` or `não`.
     Negation(&'static str),
     /// End of a clause.
     Break,
@@ -35,19 +35,21 @@ enum Token {
 /// in alphabetical order. Forms with the same stem are one word. Each text is the comment of one person.
 pub fn frequent_words(comments: &[String]) -> Vec<Word> {
     let tokens: Vec<Vec<Token>> = comments.iter().map(|comment| tokens(comment)).collect();
-    let stop_words = StopWords::new();
-    let majority = language(&stop_words, tokens.iter().flatten(), Language::English);
+    let known = known();
+    let majority = language(&known, tokens.iter().flatten(), 0);
     // Persons who have used each form, by the stem.
     let mut forms: BTreeMap<String, BTreeMap<String, BTreeSet<usize>>> = BTreeMap::new();
     for (person, tokens) in tokens.iter().enumerate() {
-        let language = language(&stop_words, tokens, majority);
-        let stemmer = Stemmer::new(language.pick(Algorithm::English, Algorithm::Spanish));
+        let Some(own) = known.get(language(&known, tokens, majority)) else { continue };
+        let stemmer = Stemmer::new(own.stemmer);
         let mut negation = None;
         for token in tokens {
             match token {
                 Token::Break => negation = None,
+                // Portuguese *no* means *in the*.
+                Token::Negation("no") if own.language == Language::Portuguese => {}
                 Token::Negation(word) => negation = Some(*word),
-                Token::Word(word) if stop_words.contains(word) => {}
+                Token::Word(word) if known.iter().any(|one| one.stop_words.contains(word.as_str())) => {}
                 Token::Word(word) => {
                     let stem = if word.chars().all(is_latin) { stemmer.stem(word).into_owned() } else { word.clone() };
                     let [stem, form] = match negation.take() {
@@ -70,20 +72,17 @@ pub fn frequent_words(comments: &[String]) -> Vec<Word> {
     words
 }
 
-/// Language with more stop words; `otherwise` if both have as many.
-fn language<'a>(stop_words: &StopWords, tokens: impl IntoIterator<Item = &'a Token>, otherwise: Language) -> Language {
-    let (mut english, mut spanish) = (0, 0);
+/// Place of the language with the most stop words; `otherwise` if that has as many, or else the first one.
+fn language<'a>(known: &[Known], tokens: impl IntoIterator<Item = &'a Token>, otherwise: usize) -> usize {
+    let mut counts = vec![0_usize; known.len()];
     for token in tokens {
-        if let Token::Word(word) = token {
-            english += usize::from(stop_words.english.contains(word.as_str()));
-            spanish += usize::from(stop_words.spanish.contains(word.as_str()));
+        for (count, one) in counts.iter_mut().zip(known) {
+            *count += usize::from(matches!(token, Token::Word(word) if one.stop_words.contains(word.as_str())));
         }
     }
-    match english.cmp(&spanish) {
-        std::cmp::Ordering::Greater => Language::English,
-        std::cmp::Ordering::Less => Language::Spanish,
-        std::cmp::Ordering::Equal => otherwise,
-    }
+    let most = counts.iter().copied().max().unwrap_or_default();
+    let found = [otherwise].into_iter().chain(0..counts.len()).find(|index| counts.get(*index) == Some(&most));
+    found.unwrap_or(otherwise)
 }
 
 /// Words of at least two letters, in lower case with their accents; everything else divides them.
@@ -96,6 +95,7 @@ fn tokens(comment: &str) -> Vec<Token> {
         let word = word.trim_matches('\'');
         match word {
             "no" => tokens.push(Token::Negation("no")),
+            "não" => tokens.push(Token::Negation("não")),
             "not" | "cannot" => tokens.push(Token::Negation("not")),
             word if word.ends_with("n't") => tokens.push(Token::Negation("not")),
             word => {
@@ -115,5 +115,6 @@ fn tokens(comment: &str) -> Vec<Token> {
 
 /// True for the letters of the languages that are stemmed. Words with others are their own stems.
 fn is_latin(letter: char) -> bool {
-    letter.is_ascii_lowercase() || matches!(letter, 'á' | 'é' | 'í' | 'ó' | 'ú' | 'ü' | 'ñ' | '\'')
+    letter.is_ascii_lowercase()
+        || matches!(letter, 'á' | 'é' | 'í' | 'ó' | 'ú' | 'ü' | 'ñ' | 'à' | 'â' | 'ê' | 'ô' | 'ã' | 'õ' | 'ç' | '\'')
 }

@@ -85,15 +85,13 @@ impl Copied {
             format!("{}, {}, {}", name(*index), shortened(record), shortened(column))
         };
         let relation = match self.relation {
-            Relation::Equal => language.pick("equal data", "datos iguales"),
-            Relation::Scaled => {
-                language.pick("the same data, shifted or scaled", "los mismos datos, desplazados o escalados")
-            }
-            Relation::Part => language.pick("a part of the same data", "una parte de los mismos datos"),
-            Relation::Resampled => language.pick("the same data, resampled", "los mismos datos, remuestreados"),
+            Relation::Equal => language.say("equal data"),
+            Relation::Scaled => language.say("the same data, shifted or scaled"),
+            Relation::Part => language.say("a part of the same data"),
+            Relation::Resampled => language.say("the same data, resampled"),
         };
         let source = match self.is_common_source {
-            true => language.pick(" (a common source, no alarm)", " (una fuente común, sin alarma)"),
+            true => language.say(" (a common source, no alarm)"),
             false => "",
         };
         format!("{relation}{source}: {} = {}", place(&self.one), place(&self.other))

@@ -88,18 +88,15 @@ impl Recomputation {
 
 /// Reason why a hand-in cannot be computed.
 pub(crate) fn document_has_errors() -> Words {
-    words("the document of the hand-in has errors", "el documento de la entrega tiene errores")
+    words("the document of the hand-in has errors")
 }
 
 fn state_refused(why: &play::Refusal) -> Words {
     match why {
         play::Refusal::PartlyRestored { left_out } => {
             let parts = left_out.join(", ");
-            words!(
-                "state of the run: these parts do not fit the document: {parts}",
-                "estado de la simulación: estas partes no encajan en el documento: {parts}"
-            )
+            words!("state of the run: these parts do not fit the document: {parts}")
         }
-        _ => words("state of the run: it cannot be read", "estado de la simulación: no se puede leer"),
+        _ => words("state of the run: it cannot be read"),
     }
 }

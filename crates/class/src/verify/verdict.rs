@@ -3,7 +3,7 @@
 use saved::Number;
 use saved::hand_in::{FOLLOWS_NOT, Fact, FactValue, HandIn, Part};
 use std::collections::BTreeMap;
-use units::{Language, Words, words};
+use units::{Language, Words, say, words};
 
 /// Relative deviation allowed between versions of the program, whose algorithms may differ.
 const TOLERANCE: f64 = 1e-6;
@@ -47,26 +47,17 @@ impl Verdict {
     pub fn lines(&self, language: Language) -> Vec<String> {
         let (equal, all) = (self.equal, self.equal + self.differences.len());
         let mut lines = vec![if self.differences.is_empty() {
-            language.pick(
-                format!("{equal} values computed again, all equal"),
-                format!("{equal} valores calculados de nuevo, todos iguales"),
-            )
+            say!(language, "{equal} values computed again, all equal")
         } else {
-            language.pick(format!("{equal} of {all} values equal"), format!("{equal} de {all} valores iguales"))
+            say!(language, "{equal} of {all} values equal")
         }];
         lines.extend(self.other_version.as_ref().map(|version| {
             let version = shortened(version);
-            language.pick(
-                format!("made by version {version}; numbers are compared to a relative deviation of 1e-6"),
-                format!("hecha con la versión {version}; los números se comparan con una desviación relativa de 1e-6"),
-            )
+            say!(language, "made by version {version}; numbers are compared to a relative deviation of 1e-6")
         }));
         if self.refused > 0 {
             let refused = self.refused;
-            lines.push(language.pick(
-                format!("parts of the work that could not be restored: {refused}"),
-                format!("partes del trabajo que no se pudieron recuperar: {refused}"),
-            ));
+            lines.push(say!(language, "parts of the work that could not be restored: {refused}"));
         }
         lines.extend(self.differences.iter().map(|difference| difference.text(language)));
         lines
@@ -76,13 +67,13 @@ impl Verdict {
 impl Difference {
     /// One line: place, stated and computed value.
     pub fn text(&self, language: Language) -> String {
-        let nothing = language.pick("nothing", "nada");
+        let nothing = language.say("nothing");
         let value = |value: &Option<FactValue>| match value {
             None => nothing.to_owned(),
             Some(FactValue::Number(Number(number))) => format!("{number}"),
             Some(FactValue::Text(text)) => format!("\"{}\"", shortened(text)),
         };
-        let (stated, computed) = (language.pick("stated", "declarado"), language.pick("computed", "calculado"));
+        let (stated, computed) = (language.say("stated"), language.say("computed"));
         let (part, item, quantity) = (self.part.words(), shortened(&self.item), shortened(&self.quantity));
         let part = part.text(language);
         format!("{part} \"{item}\", {quantity}: {stated} {}, {computed} {}", value(&self.stated), value(&self.computed))
@@ -98,10 +89,7 @@ pub(super) fn shortened(text: &str) -> String {
 
 /// Explanation of what a verification shows and what it does not.
 pub fn meaning() -> Words {
-    words(
-        "Equal values follow from the data of the hand-in. This does not show who took the data or did the work.",
-        "Los valores iguales se siguen de los datos de la entrega. Esto no muestra quién tomó los datos ni hizo el trabajo.",
-    )
+    words("Equal values follow from the data of the hand-in. This does not show who took the data or did the work.")
 }
 
 /// Compares the values of a hand-in with those computed from its work. `refused`: number of parts of the work that could

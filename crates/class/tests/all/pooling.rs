@@ -262,7 +262,7 @@ fn outliers_are_marked_with_their_likely_reason_and_stay_in_the_list() {
         assert!((without.value - 9.805).abs() < 0.01, "{without:?}");
         let said = without.scatter_text(Language::English, |value| format!("{value:.2} m/s²"));
         assert!(said.starts_with("The groups agree within their errors."), "{said}");
-        let said = found.all.scatter_text(Language::Spanish, |value| format!("{value:.2} m/s²"));
+        let said = found.all.scatter_text(catalogues::with(Language::Spanish), |value| format!("{value:.2} m/s²"));
         assert!(said.starts_with("Los grupos difieren"), "{said}");
     }
 }
@@ -282,7 +282,7 @@ fn results_that_cannot_be_pooled_are_refused_with_the_reason() {
     ];
     for (values, errors, expected) in cases {
         let refused = pool(&measured(values, errors)).unwrap_err();
-        assert!(refused.english.contains(expected), "{refused:?}");
+        assert!(refused.english().contains(expected), "{refused:?}");
     }
 }
 

@@ -203,7 +203,7 @@ fn a_report_of_another_version_is_compared_within_the_tolerance() {
         let begin = page.find("<section id=\"hand-in\">").unwrap();
         let end = begin + page[begin..].find("</section>\n").unwrap() + "</section>\n".len();
         let page = [&page[..begin], &page[end..]].concat();
-        let page = saved::carried::carry(&page, made.write().as_bytes(), units::Language::Spanish);
+        let page = saved::carried::carry(&page, made.write().as_bytes(), catalogues::with(units::Language::Spanish));
         verify(&HandIn::open(page.as_bytes()).unwrap(), VERSION).unwrap()
     };
     let near = carrying(1.0 + 1e-9);

@@ -79,6 +79,11 @@ fn words_count_persons_and_keep_accents_and_negations() {
         frequent(&["No me gusta", "no gusta nada", "Me gusta mucho", "gusta"]),
         [("gusta", 2), ("no gusta", 2)].map(|(word, persons)| (word.to_owned(), persons))
     );
+    // In Portuguese "no" is no negation.
+    assert_eq!(
+        frequent(&["O líquido no tubo é bonito", "Vi os líquidos no tubo", "Não vi o tubo", "Eu não vi o tubo"]),
+        [("tubo", 4), ("líquido", 2), ("não vi", 2)].map(|(word, persons)| (word.to_owned(), persons))
+    );
     assert_eq!(
         frequent(&["It doesn’t work", "It did not work", "It works", "working! NOT: clear", "clear"]),
         [("clear", 2), ("not work", 2), ("working", 2)].map(|(word, persons)| (word.to_owned(), persons))

@@ -23,14 +23,8 @@ pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> R
 /// Error for `--until` not after `--from`. Both are given as typed.
 pub fn nothing_between(from: &str, until: &str) -> Failure {
     Failure::in_words(
-        words!(
-            "--until {until} is not after --from {from}: nothing lies between them",
-            "--until {until} no es posterior a --from {from}: no hay nada entre ellos"
-        ),
-        words(
-            "give --until a later time than --from, or leave one of them out",
-            "da a --until un tiempo posterior al de --from, o quita uno de los dos",
-        ),
+        words!("--until {until} is not after --from {from}: nothing lies between them"),
+        words("give --until a later time than --from, or leave one of them out"),
     )
 }
 
@@ -38,12 +32,7 @@ pub fn nothing_between(from: &str, until: &str) -> Failure {
 /// Returns SI.
 fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, Failure> {
     let text = text.trim();
-    let hint = || {
-        words!(
-            "write a number, such as {name} 1.5, or one with its unit, such as {name} '1500 [ms]'",
-            "escribe un número, como {name} 1.5, o uno con su unidad, como {name} '1500 [ms]'"
-        )
-    };
+    let hint = || words!("write a number, such as {name} 1.5, or one with its unit, such as {name} '1500 [ms]'");
     let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))).unwrap_or(text.len());
     let (number, rest) = text.split_at(end);
     let Some(value) = number.trim().parse::<f64>().ok() else {
@@ -58,38 +47,28 @@ fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, F
         return Ok(unit.map_or(value, |unit| unit.to_si(value)));
     }
     let Ok(own) = Unit::parse(rest) else {
-        return Err(Failure::in_words(
-            words!("{name} {text}: `{rest}` is not a known unit", "{name} {text}: «{rest}» no es una unidad conocida"),
-            hint(),
-        ));
+        return Err(Failure::in_words(words!("{name} {text}: `{rest}` is not a known unit"), hint()));
     };
     if own.dimension == unit.map_or(Dimension::TIME, |unit| unit.dimension) {
         return Ok(own.to_si(value));
     }
     Err(match unit.filter(|unit| unit.dimension != Dimension::TIME) {
-        None => Failure::in_words(
-            words!("{name} {text}: {rest} is not a unit of time", "{name} {text}: {rest} no es una unidad de tiempo"),
-            hint(),
-        ),
+        None => Failure::in_words(words!("{name} {text}: {rest} is not a unit of time"), hint()),
         Some(Unit { text: of_file, .. }) => Failure::in_words(
             words!(
-                "{name} {text}: the file measures against a column in {of_file}, and {rest} is another kind of unit",
-                "{name} {text}: el archivo mide frente a una columna en {of_file}, y {rest} es otra clase de unidad"
+                "{name} {text}: the file measures against a column in {of_file}, and {rest} is another kind of unit"
             ),
-            words!("write {name} '{number} [{of_file}]'", "escribe {name} '{number} [{of_file}]'"),
+            words!("write {name} '{number} [{of_file}]'"),
         ),
     })
 }
 
 fn wrong(name: &str, text: &str, hint: units::Words) -> Failure {
-    Failure::in_words(words!("{name} {text} is not a number", "{name} {text} no es un número"), hint)
+    Failure::in_words(words!("{name} {text} is not a number"), hint)
 }
 
 fn unbounded(name: &'static str, text: &str) -> Failure {
-    Failure::in_words(
-        words!("{name} {text} is not a finite number", "{name} {text} no es un número finito"),
-        words!("leave {name} out to set no limit there", "quita {name} para no poner ahí ningún límite"),
-    )
+    Failure::in_words(words!("{name} {text} is not a finite number"), words!("leave {name} out to set no limit there"))
 }
 
 #[cfg(test)]

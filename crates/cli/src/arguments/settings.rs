@@ -97,7 +97,7 @@ fn resize<'a>(document: &mut Document, assignments: &'a [Assignment]) -> Result<
         let values: Vec<(&str, &str)> = values.collect();
         *document = document::resized(document, &values).map_err(|reason| {
             let names: Vec<&str> = values.iter().map(|(name, _)| *name).collect();
-            Failure::request(format!("`{}` cannot have this size: {}", names.join("`, `"), reason.english))
+            Failure::request(format!("`{}` cannot have this size: {}", names.join("`, `"), reason.english()))
         })?;
     }
     Ok(parameters)

@@ -8,7 +8,7 @@ use crate::terminal::output;
 use document::{edit, read};
 use model::Diagnostic;
 use std::path::Path;
-use units::{Language, words};
+use units::{say, words};
 
 /// Formats each document, or reports those whose layout differs.
 ///
@@ -29,11 +29,8 @@ fn format_one(path: &Path, only_check: bool, terminal: Terminal) -> Result<bool,
     let formatted = document::format(&outline);
     let sources = Sources::of_text(&path.display().to_string(), &text);
     for &part in &formatted.left {
-        let message = words(
-            "this part keeps its layout, because it has errors",
-            "esta parte conserva su disposición porque tiene errores",
-        );
-        let hint = words("`meniscus check` says which", "`meniscus check` dice cuáles");
+        let message = words("this part keeps its layout, because it has errors");
+        let hint = words("`meniscus check` says which");
         terminal.report_one(&sources, &Diagnostic::warning("layout-kept", message, part).with_hint(hint));
     }
     let written = edit::apply(&text, &formatted.edits)
@@ -43,20 +40,13 @@ fn format_one(path: &Path, only_check: bool, terminal: Terminal) -> Result<bool,
         if differs {
             let line = 1 + text.lines().zip(written.lines()).take_while(|(before, after)| before == after).count();
             let (name, language) = (path.display(), terminal.language);
-            output::print(&match language {
-                Language::English => format!("{name}: the layout differs, first in line {line}\n"),
-                Language::Spanish => format!("{name}: la disposición es otra, primero en la línea {line}\n"),
-            })?;
+            output::print(&say!(language, "{name}: the layout differs, first in line {line}\n"))?;
         }
     } else if path == Path::new("-") {
         output::print(&written)?;
     } else if differs {
         output::file(path, &[], written.as_bytes())?;
-        terminal.print(&format!(
-            "{}: {}\n",
-            path.display(),
-            terminal.language.pick("formatted", "con la disposición nueva")
-        ));
+        terminal.print(&format!("{}: {}\n", path.display(), terminal.language.say("formatted")));
     }
     Ok(formatted.left.is_empty() && !(only_check && differs))
 }

@@ -8,7 +8,7 @@ use document::TEMPLATES;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::Path;
-use units::{Language, words};
+use units::{say, words};
 
 /// Writes `DIR/DIR.md` from a template, in the language of messages.
 ///
@@ -26,26 +26,17 @@ pub fn new(arguments: &New, terminal: Terminal) -> Result<(), Failure> {
         Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {
             let path = path.display();
             return Err(Failure::in_words(
-                words!("{path} exists already", "{path} ya existe"),
-                words("choose another folder, or move the file away", "elige otra carpeta o mueve el archivo"),
+                words!("{path} exists already"),
+                words("choose another folder, or move the file away"),
             ));
         }
         Err(error) => return Err(Failure::file("write", &path, &error)),
     };
     file.write_all(text.as_bytes()).map_err(|error| Failure::file("write", &path, &error))?;
     let (written, path, folder) = (path.display(), quoted(&path), quoted(directory));
-    terminal.print(&match language {
-        Language::English => format!(
-            "Wrote {written}\n\n  meniscus serve {path}   shows it while you write it\n  meniscus check {path}   says what is wrong with it\n  \
+    terminal.print(&say!(language, "Wrote {written}\n\n  meniscus serve {path}   shows it while you write it\n  meniscus check {path}   says what is wrong with it\n  \
              meniscus export {path} --output page.html   makes one offline page of it\n  \
-             meniscus build {folder} --output site   makes a web site of the folder\n"
-        ),
-        Language::Spanish => format!(
-            "Se escribió {written}\n\n  meniscus serve {path}   lo muestra mientras lo escribes\n  meniscus check {path}   dice qué errores tiene\n  \
-             meniscus export {path} --output page.html   hace de él una página sin conexión\n  \
-             meniscus build {folder} --output site   hace de la carpeta un sitio web\n"
-        ),
-    });
+             meniscus build {folder} --output site   makes a web site of the folder\n"));
     Ok(())
 }
 

@@ -44,7 +44,7 @@ impl Claims {
             if judged.held {
                 return format!("  ✓ {name}: {text}\n");
             }
-            let line = language.pick("line", "línea");
+            let line = language.say("line");
             format!("  ✗ {name}: {text} ({line} {})\n", judged.line)
         };
         self.judged.iter().map(line).collect()
@@ -56,7 +56,6 @@ impl Claims {
         failed.map(|judged| {
             let message = words!(
                 "the claim \"{name}\" does not hold: {text}",
-                "la afirmación «{name}» no se cumple: {text}",
                 name = units::Words::same(judged.name.clone()),
                 text = judged.text
             );

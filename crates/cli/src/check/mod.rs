@@ -11,7 +11,7 @@ use crate::terminal::{Terminal, findings_as_json, findings_as_text};
 use claims::Claims;
 use std::io::Write;
 use std::path::PathBuf;
-use units::Language;
+use units::{Language, say};
 
 /// Checks each document once, with its translations.
 pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
@@ -49,8 +49,8 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
 
 /// One line per document, followed by one line per claim.
 fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) -> String {
-    let error = language.pick(["error", "errors"], ["error", "errores"]);
-    let warning = language.pick(["warning", "warnings"], ["aviso", "avisos"]);
+    let error = language.say_all(["error", "errors"]);
+    let warning = language.say_all(["warning", "warnings"]);
     let mut summary = String::new();
     for (loaded, claims) in documents.iter().zip(claims) {
         let errors = loaded.errors();
@@ -63,7 +63,7 @@ fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) 
         };
         let claims = claims.as_ref().filter(|_| errors == 0);
         let refuted = claims.is_some_and(|claims| claims.counts().1 > 0);
-        let fine = (found.is_none() && !refuted).then(|| language.pick("ok", "correcto").to_owned());
+        let fine = (found.is_none() && !refuted).then(|| language.say("ok").to_owned());
         let claimed = claims.map(|claims| claimed(claims, language));
         let verdict: Vec<String> = found.into_iter().chain(fine).chain(claimed).collect();
         summary.push_str(&format!("{}: {}\n", loaded.sources.path().display(), verdict.join(", ")));
@@ -74,15 +74,11 @@ fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) 
 
 /// Summary of the claims, such as `4 claims hold`.
 fn claimed(claims: &Claims, language: Language) -> String {
-    match (claims.counts(), language) {
-        ((0, _), Language::English) => "no claims".to_owned(),
-        ((0, _), Language::Spanish) => "sin afirmaciones".to_owned(),
-        ((1, 0), Language::English) => "1 claim holds".to_owned(),
-        ((1, 0), Language::Spanish) => "1 afirmación se cumple".to_owned(),
-        ((all, 0), Language::English) => format!("{all} claims hold"),
-        ((all, 0), Language::Spanish) => format!("{all} afirmaciones se cumplen"),
-        ((all, failed), Language::English) => format!("{failed} of {all} claims do not hold"),
-        ((all, failed), Language::Spanish) => format!("{failed} de {all} afirmaciones no se cumplen"),
+    match claims.counts() {
+        (0, _) => language.say("no claims").to_owned(),
+        (1, 0) => language.say("1 claim holds").to_owned(),
+        (all, 0) => say!(language, "{all} claims hold"),
+        (all, failed) => say!(language, "{failed} of {all} claims do not hold"),
     }
 }
 

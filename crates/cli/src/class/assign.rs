@@ -2,7 +2,7 @@
 
 use super::arguments::{Assign, ListFormat};
 use super::seat::no_seats;
-use crate::failure::{Failure, listed};
+use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::terminal::Terminal;
 use crate::terminal::output;
@@ -12,7 +12,7 @@ use program::Program;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use units::number::{Style, plain, shortest};
-use units::{Language, Unit, words};
+use units::{Language, Unit, say};
 
 /// Significant digits of an answer in the text.
 const DIGITS: usize = 4;
@@ -56,7 +56,7 @@ fn columns(program: &mut Program, seats: u32, language: Language) -> Vec<ListCol
     };
     let indices: Vec<usize> = program.model.assigned_parameters().collect();
     let parameters = indices.iter().map(|&index| &program.model.parameters[index]);
-    let answer = language.pick("answer", "respuesta");
+    let answer = language.say("answer");
     let mut columns: Vec<ListColumn> = parameters
         .map(|parameter| column(parameter.name.clone(), &parameter.unit, false))
         .chain(
@@ -96,8 +96,7 @@ fn as_text(program: &Program, columns: &[ListColumn], equal: &[Vec<usize>], lang
         if column.is_answer { plain(value, DIGITS, Style::POINT) } else { shortest(value) }
     };
     let rows = columns.first().map_or(0, |column| column.values.len());
-    let numbers =
-        std::iter::once(language.pick("seat", "puesto").to_owned()).chain((1..=rows).map(|row| row.to_string()));
+    let numbers = std::iter::once(language.say("seat").to_owned()).chain((1..=rows).map(|row| row.to_string()));
     let mut cells: Vec<Vec<String>> = vec![numbers.collect()];
     cells.extend(
         columns.iter().map(|column| {
@@ -115,15 +114,8 @@ fn as_text(program: &Program, columns: &[ListColumn], equal: &[Vec<usize>], lang
         text.push('\n');
     }
     for group in equal {
-        let seats = match language {
-            Language::English => listed(group),
-            Language::Spanish => listed(group).replace(" and ", " y "),
-        };
-        let told = words!(
-            "\nSeats {seats} have equal values: assign more parameters, or more values.\n",
-            "\nLos puestos {seats} tienen valores iguales: asigna más parámetros, o más valores.\n"
-        );
-        text.push_str(told.text(language));
+        let seats = language.join(&group.iter().map(usize::to_string).collect::<Vec<_>>());
+        text.push_str(&say!(language, "\nSeats {seats} have equal values: assign more parameters, or more values.\n"));
     }
     text
 }

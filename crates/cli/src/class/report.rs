@@ -31,10 +31,7 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
     let format = ReportFormat::chosen(arguments.format, arguments.output.as_deref());
     let quantities = class.quantities();
     if quantities.is_empty() && !format.has_answers() {
-        return Err(Failure::in_words(
-            words("no hand-in has a fit", "ninguna entrega tiene un ajuste"),
-            words("`meniscus verify` says what is in them", "`meniscus verify` dice qué contienen"),
-        ));
+        return Err(Failure::in_words(words("no hand-in has a fit"), words("`meniscus verify` says what is in them")));
     }
     let language = terminal.language;
     let against = against(arguments, format, &quantities)?;
@@ -59,18 +56,12 @@ fn against(arguments: &Report, format: ReportFormat, quantities: &[Quantity]) ->
     let Some(asked) = &arguments.against else { return Ok(Vec::new()) };
     if !matches!(format, ReportFormat::Text | ReportFormat::Html) {
         return Err(Failure::in_words(
-            words(
-                "only the report as text or as a page has results against a parameter",
-                "solo el informe como texto o como página tiene resultados en función de un parámetro",
-            ),
-            words(
-                "leave out `--against`, or choose `--format text` or `--format html`",
-                "quita `--against`, o elige `--format text` o `--format html`",
-            ),
+            words("only the report as text or as a page has results against a parameter"),
+            words("leave out `--against`, or choose `--format text` or `--format html`"),
         ));
     }
     let power = |text: &String| {
-        let hint = words("for example `--against 1/L --power omega^2`", "por ejemplo `--against 1/L --power omega^2`");
+        let hint = words("for example `--against 1/L --power omega^2`");
         Power::parse(text).map_err(|why| Failure::in_words(why, hint))
     };
     let (x, y) = (power(asked)?, arguments.power.as_ref().map(power).transpose()?);
@@ -78,14 +69,8 @@ fn against(arguments: &Report, format: ReportFormat, quantities: &[Quantity]) ->
     if found.is_empty() {
         let name = x.name();
         return Err(Failure::in_words(
-            words!(
-                "no such result has {name} held fixed in its fit",
-                "ningún resultado así tiene {name} fijo en su ajuste"
-            ),
-            words(
-                "the report without `--against` lists the quantities",
-                "el informe sin `--against` enumera las magnitudes",
-            ),
+            words!("no such result has {name} held fixed in its fit"),
+            words("the report without `--against` lists the quantities"),
         ));
     }
     Ok(found)
@@ -167,7 +152,7 @@ fn as_json(quantities: &[Quantity], class: &Collection, language: Language) -> S
                 "value": measured.value / scale,
                 "standard_error": measured.error / scale,
                 "outlier": outlier.is_some(),
-                "reason": outlier.and_then(|one| one.reason).map(|reason| reason.words().text(language).to_owned()),
+                "reason": outlier.and_then(|one| one.reason).map(|reason| reason.words().text(language).into_owned()),
             })
         };
         let pool = quantity.pool.as_ref().ok();

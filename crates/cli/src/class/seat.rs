@@ -18,12 +18,10 @@ pub fn take_seat(program: &mut Program, seat: Option<Seat>) -> Result<(), Failur
 /// Failure for a document that assigns no values.
 pub fn no_seats() -> Failure {
     Failure::in_words(
-        words("the document assigns no values to seats", "el documento no asigna valores a los puestos"),
+        words("the document assigns no values to seats"),
         words(
             "give a parameter values, `parameter b = 0.02 in 0..1 assigned 0.01..0.05 step 0.002`, and the front matter a line \
              `assignment: NAME`",
-            "da valores a un parámetro, `parameter b = 0.02 in 0..1 assigned 0.01..0.05 step 0.002`, y a la cabecera una línea \
-             `assignment: NOMBRE`",
         ),
     )
 }

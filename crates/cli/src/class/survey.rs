@@ -34,11 +34,8 @@ pub fn survey(arguments: &Survey, terminal: Terminal) -> Result<(), Failure> {
     }
     if sheets.is_empty() {
         return Err(Failure::in_words(
-            words("no file has answers to a survey", "ningún archivo tiene respuestas a una encuesta"),
-            words(
-                "*Save answers* makes them, below the questions of a document with a survey",
-                "los hace *Guardar respuestas*, debajo de las preguntas de un documento con encuesta",
-            ),
+            words("no file has answers to a survey"),
+            words("*Save answers* makes them, below the questions of a document with a survey"),
         ));
     }
     let mut surveys = results(&sheets);
@@ -117,10 +114,7 @@ fn as_text(surveys: &[Results], released: bool, language: Language) -> String {
 
 fn comments_text(tally: &Tally, released: bool, language: Language) -> String {
     if !released {
-        let told = language.pick(
-            "The comments are not shown; --comments releases them.",
-            "Los comentarios no se muestran; --comments los publica.",
-        );
+        let told = language.say("The comments are not shown; --comments releases them.");
         return format!("    {told}\n");
     }
     tally.comments.iter().map(|comment| format!("    - {}\n", comment.replace('\n', "\n      "))).collect()

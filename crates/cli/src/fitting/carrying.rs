@@ -26,10 +26,8 @@ pub fn carrying(page: &str, fitted: &[&Fitted], data: &[Measured], arguments: &C
             let why = words(
                 "This page does not carry its data: they are too long, or the fit uses an expression or an option that a hand-in \
                  cannot state. It cannot be verified.",
-                "Esta página no lleva sus datos: son demasiado largos, o el ajuste usa una expresión u opción que una entrega no \
-                 puede declarar. No se puede comprobar.",
             );
-            carry_nothing(page, why.text(language), language)
+            carry_nothing(page, &why.text(language), language)
         }
     }
 }

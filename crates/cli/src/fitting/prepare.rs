@@ -318,11 +318,8 @@ fn errors_of_files(
         let Some(column) = measured.table.errors_of(columns[place]) else { continue };
         record.observations[place].errors = Some(column_errors(measured, column, columns[place], unit)?);
         let (file, called) = (&measured.name, measured.called(column));
-        let note = words!(
-            "{file}: the standard errors of {name} are those of its column {called}",
-            "{file}: los errores estándar de {name} son los de su columna {called}"
-        );
-        let head = terminal.language.pick("note", "nota");
+        let note = words!("{file}: the standard errors of {name} are those of its column {called}");
+        let head = terminal.language.say("note");
         terminal.print(&format!("{head}: {}\n", note.text(terminal.language)));
     }
     Ok(())

@@ -27,11 +27,11 @@ pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
     let output = arguments.output.clone().unwrap_or_else(|| path.with_extension(&HAND_IN_ENDING[1..]));
     file(&output, std::slice::from_ref(path), made.write().as_bytes())?;
     let (count, output) = (made.facts.len(), output.display());
-    let said = words!("Wrote {output} with {count} values", "Se escribió {output} con {count} valores");
+    let said = words!("Wrote {output} with {count} values");
     terminal.print(&format!("{}\n", said.text(terminal.language)));
     for why in &left_out {
-        let why = visible(why.text(terminal.language)).into_owned();
-        let line = words!("Without values for {why}", "Sin valores para {why}");
+        let why = visible(&why.text(terminal.language)).into_owned();
+        let line = words!("Without values for {why}");
         terminal.print(&format!("  {}\n", line.text(terminal.language)));
     }
     Ok(())

@@ -27,12 +27,12 @@ fn diagnostic(file: &OpenFile, finding: &model::Diagnostic, language: Language, 
     let message = finding.message.text(language);
     let first = match primary {
         Some(primary) => format!("{message} ({primary})"),
-        None => message.to_owned(),
+        None => message.into_owned(),
     };
-    let rest = finding.notes.iter().chain(&finding.hints).map(|words| words.text(language).to_owned());
+    let rest = finding.notes.iter().chain(&finding.hints).map(|words| words.text(language).into_owned());
     let related = finding.labels.iter().skip(1).map(|label| DiagnosticRelatedInformation {
         location: Location::new(uri.clone(), range(text, label.span)),
-        message: label.text.text(language).to_owned(),
+        message: label.text.text(language).into_owned(),
     });
     Diagnostic {
         range: range(text, finding.span()),
@@ -109,7 +109,7 @@ pub fn completion(files: &OpenFiles, asked: &CompletionParams) -> Option<Complet
             SuggestionKind::Unit => CompletionItemKind::UNIT,
             SuggestionKind::Part => CompletionItemKind::PROPERTY,
         }),
-        detail: Some(suggestion.meaning.text(files.language()).to_owned()),
+        detail: Some(suggestion.meaning.text(files.language()).into_owned()),
         // The order of the suggestions is kept: names come before functions.
         sort_text: Some(format!("{number:05}")),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(replaced, suggestion.text.clone()))),
@@ -123,7 +123,7 @@ pub fn completion(files: &OpenFiles, asked: &CompletionParams) -> Option<Complet
 pub fn hover(files: &OpenFiles, asked: &HoverParams) -> Option<Hover> {
     let (file, at) = place(files, &asked.text_document_position_params)?;
     let found = explain(&document::read(&file.text), file.program.as_ref(), at)?;
-    let value = found.meaning.text(files.language()).to_owned();
+    let value = found.meaning.text(files.language()).into_owned();
     Some(Hover {
         contents: HoverContents::Markup(MarkupContent { kind: MarkupKind::PlainText, value }),
         range: Some(range(&file.text, found.span)),
@@ -140,7 +140,7 @@ pub fn rename(files: &OpenFiles, asked: &RenameParams) -> Result<Option<Workspac
     let others = files.translations(uri);
     let texts: Vec<&str> = others.iter().map(|(_, text)| text.as_str()).collect();
     let edits = document::edit::rename_with(&document::read(&file.text), at, asked.new_name.trim(), &texts)
-        .map_err(|refusal| refusal.words().text(files.language()).to_owned())?;
+        .map_err(|refusal| refusal.words().text(files.language()).into_owned())?;
     let all = std::iter::once((uri, file.text.as_str())).chain(others.iter().map(|(uri, text)| (uri, text.as_str())));
     let changed = all.zip(&edits).filter(|(_, edits)| !edits.is_empty());
     // The protocol demands the address as key; it is not changed afterwards.

@@ -21,19 +21,15 @@ use lsp_types::{
 use open_files::OpenFiles;
 use serde::Serialize;
 use std::io::{self, BufRead, Write};
-use units::Language;
+use units::{Language, say};
 
 /// Serves an editor until it sends `exit`.
 ///
 /// # Errors
 /// The streams to the editor cannot be read or written.
 pub fn serve(language: Language) -> Result<(), Failure> {
-    answer(&mut io::stdin().lock(), &mut io::stdout().lock(), language).map_err(|error| {
-        Failure::request(match language {
-            Language::English => format!("the connection to the editor is broken: {error}"),
-            Language::Spanish => format!("se ha roto la conexión con el editor: {error}"),
-        })
-    })
+    answer(&mut io::stdin().lock(), &mut io::stdout().lock(), language)
+        .map_err(|error| Failure::request(say!(language, "the connection to the editor is broken: {error}")))
 }
 
 fn capabilities() -> ServerCapabilities {

@@ -95,10 +95,7 @@ impl OpenFiles {
     /// diagnostics of the translation.
     fn translation(&self, uri: &Uri, base: &str, text: &str) -> Opened {
         let Some(source) = parts(uri).and_then(|(folder, _)| self.text_beside(folder, base)) else {
-            let message = words!(
-                "the document `{base}` of this translation is not beside it",
-                "el documento `{base}` de esta traducción no está junto a ella"
-            );
+            let message = words!("the document `{base}` of this translation is not beside it");
             let place = document::read(text).front_matter().get("translates").map(|value| value.span);
             let missing = model::Diagnostic::warning("unknown-base", message, place.unwrap_or_default());
             return Opened { document: None, diagnostics: vec![(0, missing)] };

@@ -148,7 +148,7 @@ fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Te
         Some(span) => {
             terminal.report_one(sources, &Diagnostic::error(error.code(), message, span).with_hint(hint));
         }
-        None => terminal.error(message.text(terminal.language), Some(hint.text(terminal.language))),
+        None => terminal.error(&message.text(terminal.language), Some(&hint.text(terminal.language))),
     }
     Failure::Document
 }

@@ -1,7 +1,7 @@
 //! Collection of the documents of a folder, in the order of the site.
 
 use super::names::{INDEX, LABORATORY, percent_encoded};
-use crate::failure::{Failure, listed};
+use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::terminal::Terminal;
 use document::page::Source;
@@ -9,6 +9,7 @@ use document::{BlockKind, Document};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use units::say;
 
 /// Maximum length of the path of a document in bytes; it is also that of a link to it.
 const LONGEST_NAME: usize = 200;
@@ -99,9 +100,9 @@ pub fn collect(directory: &Path, site: &Path, terminal: Terminal) -> Result<Vec<
     for (path, base) in other_names.iter().filter(|(path, _)| !translations.contains(path)) {
         let (path, base) = (path.display(), base.with_extension(""));
         let base = base.display();
-        terminal.print(&terminal.language.pick(
-            format!("left out: {path} (to belong to {base}.md, it must be called {base}.LANGUAGE.md)\n"),
-            format!("sin página: {path} (para formar parte de {base}.md, debe llamarse {base}.IDIOMA.md)\n"),
+        terminal.print(&say!(
+            terminal.language,
+            "left out: {path} (to belong to {base}.md, it must be called {base}.LANGUAGE.md)\n"
         ));
     }
     if has_errors {
@@ -199,12 +200,7 @@ fn name_left_out(paths: &[PathBuf], directory: &Path, terminal: Terminal) {
     if names.len() > NAMED {
         let more = names.len() - NAMED;
         names.truncate(NAMED);
-        names.push(language.pick(format!("{more} more"), format!("{more} más")));
+        names.push(say!(language, "{more} more"));
     }
-    terminal.print(&match language {
-        units::Language::English => format!("left out, since there is no simulation in it: {}\n", listed(names)),
-        units::Language::Spanish => {
-            format!("sin página, porque no contiene ninguna simulación: {}\n", language.join(&names))
-        }
-    });
+    terminal.print(&say!(language, "left out, since there is no simulation in it: {}\n", language.join(&names)));
 }

@@ -24,22 +24,14 @@ struct Words {
 }
 
 fn words_in(language: Language) -> Words {
-    language.pick(
-        Words {
-            title: "Simulations",
-            language: "Language",
-            laboratory: "Laboratory",
-            open: "Open in the laboratory",
-            footer: "Made with Meniscus. These pages work offline after the first visit and send nothing to anyone.",
-        },
-        Words {
-            title: "Simulaciones",
-            language: "Idioma",
-            laboratory: "Laboratorio",
-            open: "Abrir en el laboratorio",
-            footer: "Hecho con Meniscus. Estas páginas funcionan sin conexión tras la primera visita y no envían nada a nadie.",
-        },
-    )
+    Words {
+        title: language.say("Simulations"),
+        language: language.say("Language"),
+        laboratory: language.say("Laboratory"),
+        open: language.say("Open in the laboratory"),
+        footer: language
+            .say("Made with Meniscus. These pages work offline after the first visit and send nothing to anyone."),
+    }
 }
 
 /// The index page. `player`: source of the styles shared with the pages of the simulations.

@@ -21,6 +21,7 @@ use folder::Folder;
 use names::{INDEX, LABORATORY, WORKER};
 use parts::{Parts, ROOT};
 use units::markup::escaped;
+use units::say;
 
 /// Folder of the theories that the laboratory offers for fits.
 const THEORIES: &str = "theories/";
@@ -34,21 +35,17 @@ pub fn build(arguments: &Build, terminal: Terminal) -> Result<(), Failure> {
     folder.publish(&files)?;
     let [simulations, kilobytes] = [found.len(), files.size() / 1000];
     let site = arguments.output.display();
-    terminal.print(&terminal.language.pick(
-        format!(
-            "{site}: {}, {kilobytes} kB; put the folder on any web server\n",
-            counted(simulations, "simulation", "simulations")
-        ),
-        format!(
-            "{site}: {}, {kilobytes} kB; pon la carpeta en cualquier servidor web\n",
-            counted(simulations, "simulación", "simulaciones")
-        ),
+    let language = terminal.language;
+    let simulations = match simulations {
+        1 => language.say("1 simulation").to_owned(),
+        count => say!(language, "{count} simulations"),
+    };
+    terminal.print(&say!(
+        language,
+        "{site}: {simulations}, {kilobytes} kB; put the folder on any web server
+"
     ));
     Ok(())
-}
-
-fn counted(count: usize, one: &str, several: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { several })
 }
 
 /// All files of the site.

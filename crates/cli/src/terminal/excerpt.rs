@@ -4,7 +4,7 @@ use codespan_reporting::diagnostic::{Diagnostic, LabelStyle};
 use codespan_reporting::files::{Error, Files, SimpleFiles};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use units::Language;
+use units::{Language, say};
 
 /// Maximum length in bytes of a line that is shown in full. A document may be a single line of a million bytes.
 const LONGEST: usize = 400;
@@ -32,10 +32,7 @@ impl<'f, 'a> Excerpt<'f, 'a> {
         }
         finding.labels.retain_mut(|label| excerpt.fit(label.file_id, &mut label.range));
         if !excerpt.parts.is_empty() {
-            finding.notes.push(match language {
-                Language::English => format!("lines of more than {LONGEST} bytes are shown in part"),
-                Language::Spanish => format!("las líneas de más de {LONGEST} bytes se muestran en parte"),
-            });
+            finding.notes.push(say!(language, "lines of more than {LONGEST} bytes are shown in part"));
         }
         excerpt
     }

@@ -16,6 +16,7 @@ use codespan_reporting::term::termcolor::{Ansi, NoColor, WriteColor};
 use excerpt::Excerpt;
 use model::{Diagnostic, Severity, Span};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::{IsTerminal, Write};
 use units::{Language, Words};
 use visible::{Visible, visible};
@@ -72,7 +73,7 @@ impl Terminal {
     /// Writes a finding about measured data to the standard error.
     pub fn note(self, finding: &analysis::finding::Finding) {
         let text = finding.text(self.language);
-        self.print(&format!("{}: {text}\n", self.language.pick("note", "nota")));
+        self.print(&format!("{}: {text}\n", self.language.say("note")));
     }
 
     /// Writes text to the standard error, with control characters escaped.
@@ -113,7 +114,7 @@ fn rendered<'a>(
 }
 
 fn hinted(hint: &str, language: Language) -> String {
-    format!("{}: {hint}", language.pick("hint", "ayuda"))
+    format!("{}: {hint}", language.say("hint"))
 }
 
 fn with_places(diagnostic: &Diagnostic, file: usize, text: &str, language: Language) -> shown::Diagnostic<usize> {
@@ -126,8 +127,8 @@ fn with_places(diagnostic: &Diagnostic, file: usize, text: &str, language: Langu
         let place = if index == 0 { shown::Label::primary(file, range) } else { shown::Label::secondary(file, range) };
         place.with_message(label.text.text(language))
     });
-    let hints = diagnostic.hints.iter().map(|hint| hinted(hint.text(language), language));
-    let notes = diagnostic.notes.iter().map(|note| note.text(language).to_owned()).chain(hints);
+    let hints = diagnostic.hints.iter().map(|hint| hinted(&hint.text(language), language));
+    let notes = diagnostic.notes.iter().map(|note| note.text(language).into_owned()).chain(hints);
     shown::Diagnostic::new(severity)
         .with_code(diagnostic.code)
         .with_message(diagnostic.message.text(language))
@@ -151,11 +152,10 @@ fn emitted<'a>(
         let _ = term::emit_to_write_style(writer, &term::Config::default(), &excerpt, &finding);
         let _ = writer.flush();
         let shown = String::from_utf8_lossy(&bytes);
-        // The library starts with the English name of the severity. "error" is also the Spanish word.
-        text.push_str(&match language {
-            Language::English => shown,
-            Language::Spanish => shown.replacen("warning[", "aviso[", 1).into(),
-        });
+        // The library starts with the English name of the severity.
+        let [error, warning] = language.say_all(["error", "warning"]);
+        let shown = shown.replacen("error[", &[error, "["].concat(), 1);
+        text.push_str(&shown.replacen("warning[", &[warning, "["].concat(), 1));
     }
     text
 }
@@ -173,12 +173,12 @@ struct Finding<'a> {
     file: String,
     severity: &'static str,
     code: &'a str,
-    message: &'a str,
+    message: Cow<'a, str>,
     #[serde(flatten)]
     place: Place,
     labels: Vec<Remark<'a>>,
-    notes: Vec<&'a str>,
-    hints: Vec<&'a str>,
+    notes: Vec<Cow<'a, str>>,
+    hints: Vec<Cow<'a, str>>,
 }
 
 /// A position range. Lines and columns count from 1; columns count characters.
@@ -197,7 +197,7 @@ struct Position {
 
 #[derive(Serialize)]
 struct Remark<'a> {
-    text: &'a str,
+    text: Cow<'a, str>,
     #[serde(flatten)]
     place: Place,
 }
@@ -230,7 +230,7 @@ pub fn findings_as_json(documents: &[Loaded], language: Language) -> String {
     serde_json::to_string_pretty(&findings).unwrap_or_default() + "\n"
 }
 
-fn in_language(all: &[Words], language: Language) -> Vec<&str> {
+fn in_language(all: &[Words], language: Language) -> Vec<Cow<'_, str>> {
     all.iter().map(|words| words.text(language)).collect()
 }
 

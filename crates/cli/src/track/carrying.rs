@@ -44,11 +44,8 @@ pub fn carrying(page: &str, tracked: Tracked<'_>, language: Language) -> String 
     if let Some(hand_in) = hand_in {
         return carry(page, &packed(&hand_in.of_page(page)), language);
     }
-    let why = words(
-        "This page does not carry the tracked points, because they are too many. It cannot be verified.",
-        "Esta página no lleva los puntos seguidos, porque son demasiados. No se puede comprobar.",
-    );
-    carry_nothing(page, why.text(language), language)
+    let why = words("This page does not carry the tracked points, because they are too many. It cannot be verified.");
+    carry_nothing(page, &why.text(language), language)
 }
 
 fn work(tracked: Tracked<'_>) -> Option<Project> {

@@ -25,32 +25,22 @@ pub fn arguments(arguments: &Arguments) -> Result<(), Failure> {
     let (surfaces, bodies, tubes) = (arguments.surface.len(), arguments.body.len(), arguments.tube.len());
     if surfaces + bodies == 0 {
         return Err(Failure::in_words(
-            words("it is not said what to track", "no se dice qué seguir"),
-            words(
-                "click a liquid's surface, --surface X,Y, or a body, --body X,Y, in pixels of the first frame",
-                "indica la superficie de un líquido, --surface X,Y, o un cuerpo, --body X,Y, en píxeles del primer fotograma",
-            ),
+            words("it is not said what to track"),
+            words("click a liquid's surface, --surface X,Y, or a body, --body X,Y, in pixels of the first frame"),
         ));
     }
     if surfaces > MOST_SURFACES || bodies > MOST_BODIES {
         return Err(Failure::in_words(
-            words("too many surfaces or bodies", "demasiadas superficies o cuerpos"),
+            words("too many surfaces or bodies"),
             words!(
-                "track at most {MOST_SURFACES} surfaces or {MOST_BODIES} bodies at once, and the others in a second call",
-                "sigue como máximo {MOST_SURFACES} superficies o {MOST_BODIES} cuerpos a la vez, y los demás en otra llamada"
+                "track at most {MOST_SURFACES} surfaces or {MOST_BODIES} bodies at once, and the others in a second call"
             ),
         ));
     }
     if tubes > 0 && tubes != surfaces {
         return Err(Failure::in_words(
-            words!(
-                "--tube and --surface differ in number: {tubes} and {surfaces}",
-                "--tube y --surface difieren en número: {tubes} y {surfaces}"
-            ),
-            words(
-                "write --tube once for each --surface, in the same order, or not at all for upright tubes",
-                "escribe --tube una vez por cada --surface, en el mismo orden, o ninguna si los tubos son verticales",
-            ),
+            words!("--tube and --surface differ in number: {tubes} and {surfaces}"),
+            words("write --tube once for each --surface, in the same order, or not at all for upright tubes"),
         ));
     }
     places(arguments)?;
@@ -72,8 +62,8 @@ fn places(arguments: &Arguments) -> Result<(), Failure> {
         if let Some(at) = (1..places.len()).find(|at| same(*at)) {
             let [x, y] = places[at].position;
             return Err(Failure::in_words(
-                words!("{name}: {x},{y} is given twice", "{name}: {x},{y} aparece dos veces"),
-                words("give each thing its own place", "indica para cada cosa su propio lugar"),
+                words!("{name}: {x},{y} is given twice"),
+                words("give each thing its own place"),
             ));
         }
     }
@@ -104,13 +94,9 @@ pub fn format(arguments: &Arguments) -> Result<TrackFormat, Failure> {
         _ => {
             let name = path.display();
             Err(Failure::in_words(
-                words!(
-                    "--output {name}: the ending is none of a table",
-                    "--output {name}: la terminación no es de una tabla"
-                ),
+                words!("--output {name}: the ending is none of a table"),
                 words(
                     "end its name in .csv (a table), .xlsx (a workbook) or .json (an object), or say the form with --format",
-                    "termina su nombre en .csv (una tabla), .xlsx (un libro de cálculo) o .json (un objeto), o indica la forma con --format",
                 ),
             ))
         }
@@ -128,14 +114,14 @@ pub fn outputs(arguments: &Arguments, format: TrackFormat) -> Result<Vec<Targets
         if let Some(report) = report.filter(|report| !is_page(report)) {
             let name = report.display();
             return Err(Failure::in_words(
-                words!("--report {name}: a report is an HTML page", "--report {name}: un informe es una página HTML"),
-                words("end its name in .html", "termina su nombre en .html"),
+                words!("--report {name}: a report is an HTML page"),
+                words("end its name in .html"),
             ));
         }
         if report.is_some() && report == output {
             return Err(Failure::in_words(
-                words("--output and --report name one file", "--output y --report nombran un mismo archivo"),
-                words("give the table another name", "da otro nombre a la tabla"),
+                words("--output and --report name one file"),
+                words("give the table another name"),
             ));
         }
         return Ok(vec![Targets { table: arguments.output.clone(), report: arguments.report.clone() }]);
@@ -168,11 +154,8 @@ fn several(
     if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
         let name = folder.display();
         return Err(Failure::in_words(
-            words!("{option} {name}: there is no such folder", "{option} {name}: no hay tal carpeta"),
-            words!(
-                "for several films {option} is a folder, in which each gets its file; make it first",
-                "para varios vídeos {option} es una carpeta, en la que cada uno recibe su archivo; créala antes"
-            ),
+            words!("{option} {name}: there is no such folder"),
+            words!("for several films {option} is a folder, in which each gets its file; make it first"),
         ));
     }
     let targets: Vec<PathBuf> = arguments.films.iter().map(|film| beside(film, folder, ending)).collect();
@@ -181,8 +164,8 @@ fn several(
     if let Some([same, _]) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
         let name = same.display();
         return Err(Failure::in_words(
-            words!("two films would write {name}", "dos vídeos escribirían {name}"),
-            words("leave one of them out, or rename it", "excluye uno de ellos o cámbiale el nombre"),
+            words!("two films would write {name}"),
+            words("leave one of them out, or rename it"),
         ));
     }
     Ok(targets)
@@ -207,14 +190,8 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
         .chain(named("--scale", arguments.scale.iter().flat_map(|ruler| ruler.marks).collect()));
     for (name, [x, y]) in all {
         if !((0.0..=width).contains(&x) && (0.0..=height).contains(&y)) {
-            let why = words!(
-                "{name} {x},{y} lies outside the picture, which is {width} pixels wide and {height} high",
-                "{name} {x},{y} está fuera de la imagen, que mide {width} píxeles de ancho y {height} de alto"
-            );
-            let hint = words(
-                "points count from the top left corner of the upright picture, x to the right and y down",
-                "los puntos se cuentan desde la esquina superior izquierda de la imagen derecha, x hacia la derecha e y hacia abajo",
-            );
+            let why = words!("{name} {x},{y} lies outside the picture, which is {width} pixels wide and {height} high");
+            let hint = words("points count from the top left corner of the upright picture, x to the right and y down");
             return Err(refused_with(&film.path, why, hint));
         }
     }
@@ -223,13 +200,9 @@ pub fn points(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
     let mut radii = arguments.body.iter().filter_map(|body| body.radius);
     if let Some(radius) = radii.find(|radius| *radius > most) {
         let why = words!(
-            "a body of radius {radius} does not fit into the picture, which is {width} pixels wide and {height} high",
-            "un cuerpo de radio {radius} no cabe en la imagen, que mide {width} píxeles de ancho y {height} de alto"
+            "a body of radius {radius} does not fit into the picture, which is {width} pixels wide and {height} high"
         );
-        let hint = words(
-            "write --body X,Y,R with the radius R in pixels, or leave R out: it is found then",
-            "escribe --body X,Y,R con el radio R en píxeles, o quita R: entonces se halla solo",
-        );
+        let hint = words("write --body X,Y,R with the radius R in pixels, or leave R out: it is found then");
         return Err(refused_with(&film.path, why, hint));
     }
     Ok(())
@@ -247,14 +220,8 @@ fn off_axis(film: &Opened, arguments: &Arguments) -> Result<(), Failure> {
         };
         let Some(place) = surface.places.iter().find(|place| distance(place) > HALF_WIDTH * height) else { continue };
         let ([p, q], distance) = (place.position, distance(place));
-        let why = words!(
-            "--surface {p},{q} is {distance:.0} pixels from the axis of its tube, --tube {x},{y},{u},{v}",
-            "--surface {p},{q} está a {distance:.0} píxeles del eje de su tubo, --tube {x},{y},{u},{v}"
-        );
-        let hint = words(
-            "write two points on the axis of the tube in which the surface is, such as its ends",
-            "escribe dos puntos del eje del tubo en que está la superficie, como sus extremos",
-        );
+        let why = words!("--surface {p},{q} is {distance} pixels from the axis of its tube, --tube {x},{y},{u},{v}");
+        let hint = words("write two points on the axis of the tube in which the surface is, such as its ends");
         return Err(refused_with(&film.path, why, hint));
     }
     Ok(())
@@ -270,20 +237,17 @@ pub fn durations(film: &Opened, clock: &Clock, arguments: &Arguments) -> Result<
         if seconds.abs() <= lasts * (1.0 + ROUNDED) {
             continue;
         }
-        let milliseconds = |seconds: f64| Words::each(|language| fixed(1e3 * seconds, 1, language.style()));
+        let milliseconds = |seconds: f64| Words::each(move |language| fixed(1e3 * seconds, 1, language.style()));
         let half = milliseconds(lasts / 2.0);
         let why = words!(
             "{name} is {given} ms, and a frame lasts {lasts} ms: no frame takes longer than until the next one",
-            "{name} es {given} ms y un fotograma dura {lasts} ms: ninguno tarda más que hasta el siguiente",
             name = Words::same(name),
             given = milliseconds(seconds),
             lasts = milliseconds(lasts)
         );
         let hint = words!(
             "write a time up to {lasts} ms, such as '{half} [ms]', or auto; a number without a unit is in seconds",
-            "escribe un tiempo de hasta {lasts} ms, como '{half} [ms]', o auto; un número sin unidad está en segundos",
             lasts = milliseconds(lasts),
-            half = half
         );
         return Err(refused_with(&film.path, why, hint));
     }

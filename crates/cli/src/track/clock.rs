@@ -49,20 +49,15 @@ impl Clock {
         let base = TimeBase::new(&film.times, factor).ok_or_else(|| {
             Failure::in_words(
                 words!(
-                    "--rate {factor} is not possible: the factor is greater than zero and finite",
-                    "--rate {factor} no es posible: el factor es mayor que cero y finito"
+                    "--rate {factor} is not possible: the factor is greater than zero and finite"
                 ),
                 words(
                     "write how many times slower the film plays than things happened, such as 8 for 240 frames/s played at 30",
-                    "escribe cuántas veces más lenta se reproduce el vídeo que lo ocurrido, como 8 para 240 fotogramas/s reproducidos a 30",
                 ),
             )
         })?;
         match (arguments.rate, stated) {
-            (Some(factor), _) => notes.push(words!(
-                "times are divided by {factor}, as --rate says",
-                "los tiempos se dividen por {factor}, como dice --rate"
-            )),
+            (Some(factor), _) => notes.push(words!("times are divided by {factor}, as --rate says")),
             (None, stated) => notes.extend(stated.map(|stated| stated.words())),
         }
         let part = part(arguments)?;
@@ -75,10 +70,7 @@ impl Clock {
         if frames.is_empty() {
             return Err(refused(
                 &film.path,
-                words(
-                    "no frame lies between --from and --until; both are times of the film as a player shows them",
-                    "ningún fotograma está entre --from y --until; ambos son tiempos del vídeo como los muestra un reproductor",
-                ),
+                words("no frame lies between --from and --until; both are times of the film as a player shows them"),
             ));
         }
         Ok(Self { factor, times: base.times().to_vec(), rate, frames, notes })
@@ -100,13 +92,9 @@ impl Clock {
             return Ok(frame);
         }
         let [x, y] = click.position;
-        let why = words!(
-            "{x},{y}@{time}: no frame that is tracked has this time",
-            "{x},{y}@{time}: ningún fotograma que se sigue tiene ese tiempo"
-        );
+        let why = words!("{x},{y}@{time}: no frame that is tracked has this time");
         let hint = words!(
             "the frames that are tracked are from {first} s to {last} s of the film, as a player shows it",
-            "los fotogramas que se siguen van de {first} s a {last} s del vídeo, como lo muestra un reproductor",
             first = displayed(shown(&first)),
             last = displayed(shown(&last))
         );
@@ -116,15 +104,15 @@ impl Clock {
 
 /// Time of a film in s, rounded down to the millisecond, so that the frame is the first one from this time on.
 pub fn displayed(seconds: f64) -> Words {
-    Words::each(|language| fixed((seconds / SHOWN + ROUNDED).floor() * SHOWN, 3, language.style()))
+    Words::each(move |language| fixed((seconds / SHOWN + ROUNDED).floor() * SHOWN, 3, language.style()))
 }
 
 /// Text of a finding. For doubled times it adds that the frames are left out.
 fn said(finding: &Finding) -> Words {
     match *finding {
         Finding::Doubled { count, time } => words!(
-            "{count} frames have the same time as the one before and are left out, the first at {time:.2} s",
-            "{count} fotogramas tienen el mismo tiempo que el anterior y se excluyen, el primero en {time:.2} s"
+            "{count} frames have the same time as the one before and are left out, the first at {time} s",
+            time = Words::each(move |language| fixed(time, 2, language.style()))
         ),
         _ => finding.words(),
     }
@@ -142,14 +130,8 @@ pub fn part(arguments: &Arguments) -> Result<RangeInclusive<f64>, Failure> {
     for (name, text, time) in given {
         if let Some(text) = text.filter(|_| time < 0.0) {
             return Err(Failure::in_words(
-                words!(
-                    "{name} {text} lies before the first frame: a film begins at 0 s",
-                    "{name} {text} es anterior al primer fotograma: un vídeo empieza en 0 s"
-                ),
-                words!(
-                    "write a time of the film as a player shows it, such as {name} 1.5, or leave {name} out",
-                    "escribe un tiempo del vídeo como lo muestra un reproductor, como {name} 1.5, o quita {name}"
-                ),
+                words!("{name} {text} lies before the first frame: a film begins at 0 s"),
+                words!("write a time of the film as a player shows it, such as {name} 1.5, or leave {name} out"),
             ));
         }
     }

@@ -64,7 +64,7 @@ impl Decoding {
         let failure = refused(&film.path, why);
         match failure {
             Failure::Request { message, .. } if !complaint.is_empty() => {
-                Failure::in_words(message, words!("ffmpeg reports: {complaint}", "ffmpeg informa: {complaint}"))
+                Failure::in_words(message, words!("ffmpeg reports: {complaint}"))
             }
             other => other,
         }
@@ -109,7 +109,7 @@ impl Decoder {
 
 fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
     if error.kind() != ErrorKind::NotFound {
-        let why = words!("ffmpeg could not be started: {error}", "no se pudo iniciar ffmpeg: {error}");
+        let why = words!("ffmpeg could not be started: {error}");
         return refused(&film.path, why);
     }
     let install = if cfg!(target_os = "macos") {
@@ -121,13 +121,9 @@ fn not_started(film: &Opened, error: &std::io::Error) -> Failure {
     };
     let name = film.path.display();
     Failure::in_words(
+        words!("{name} cannot be decoded: ffmpeg is not installed, or not on the PATH"),
         words!(
-            "{name} cannot be decoded: ffmpeg is not installed, or not on the PATH",
-            "{name} no se puede decodificar: ffmpeg no está instalado o no está en el PATH"
-        ),
-        words!(
-            "install it with `{install}`; without it convert the film elsewhere with `ffmpeg -i FILM -pix_fmt yuv420p FILM.y4m`, which is read as it is",
-            "instálalo con `{install}`; sin él, convierte el vídeo en otro equipo con `ffmpeg -i VIDEO -pix_fmt yuv420p VIDEO.y4m`, que se lee tal cual"
+            "install it with `{install}`; without it convert the film elsewhere with `ffmpeg -i FILM -pix_fmt yuv420p FILM.y4m`, which is read as it is"
         ),
     )
 }

@@ -42,8 +42,7 @@ pub fn follow(film: &Opened, clock: &Clock, arguments: &Arguments, bar: &Progres
     following.advance(usize::MAX).map_err(refusal)?;
     let (count, of) = (following.repeated().len(), clock.frames.len());
     let note = words!(
-        "{count} of {of} frames repeat the picture before and are left out: their times are wrong; use the original one if you have it",
-        "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: sus tiempos son erróneos; usa el original si lo tienes"
+        "{count} of {of} frames repeat the picture before and are left out: their times are wrong; use the original one if you have it"
     );
     let notes = if count > 0 { vec![note] } else { Vec::new() };
     let frames: Vec<usize> = following.frames().iter().map(|frame| frame.0).collect();
@@ -64,9 +63,8 @@ fn too_long(film: &Opened, clock: &Clock, refusal: &Refusal) -> Failure {
     let count = clock.frames.len();
     let hint = words!(
         "the part has {count} frames; end it with --until {until}, and track the rest from there with --from",
-        "la parte tiene {count} fotogramas; termínala con --until {until} y sigue el resto desde ahí con --from",
         count = Words::same(count.to_string()),
-        until = Words::same(displayed(*time).english.into_owned())
+        until = Words::same(displayed(*time).english())
     );
     refused_with(&film.path, refusal.words(), hint)
 }
@@ -87,15 +85,13 @@ fn read(
             if frame == 0 {
                 let why = words!(
                     "none of its {count} frames could be decoded, which are coded in {coding}",
-                    "no se pudo decodificar ninguno de sus {count} fotogramas, codificados en {coding}",
                     count = Words::same(count.to_string()),
                     coding = Words::same(film.coding.clone())
                 );
                 return Err(decoding.failure(film, why));
             }
             let why = words!(
-                "the file lists {count} frames, and only {frame} could be decoded, so that their times are not certain; copy the film again, or end before the damage with --until",
-                "el archivo enumera {count} fotogramas y solo se pudieron decodificar {frame}, de modo que sus tiempos no son seguros; copia de nuevo el vídeo o termina antes del daño con --until"
+                "the file lists {count} frames, and only {frame} could be decoded, so that their times are not certain; copy the film again, or end before the damage with --until"
             );
             return Err(decoding.failure(film, why));
         };
@@ -112,8 +108,7 @@ fn read(
     if further > 0 {
         let decoded = count + further;
         let why = words!(
-            "the file lists {count} frames, and {decoded} were decoded; which times belong to them is not certain",
-            "el archivo enumera {count} fotogramas y se decodificaron {decoded}; no es seguro qué tiempos les corresponden"
+            "the file lists {count} frames, and {decoded} were decoded; which times belong to them is not certain"
         );
         return Err(decoding.failure(film, why));
     }

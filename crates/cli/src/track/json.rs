@@ -18,7 +18,7 @@ pub fn object(
     notes: &[Words],
     language: Language,
 ) -> String {
-    let notes: Vec<&str> = notes.iter().map(|note| note.text(language)).collect();
+    let notes: Vec<_> = notes.iter().map(|note| note.text(language)).collect();
     let [width, height] = film.upright_size();
     let scale = match &calibration.lengths {
         Lengths::Scale(scale) => json!({ "metres_per_pixel": scale.pixel, "relative_stderr": scale.relative_sigma }),

@@ -40,7 +40,7 @@ pub fn run(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         match result {
             Err(Failure::Request { message, hint }) if several => {
                 let language = terminal.language;
-                terminal.error(message.text(language), hint.as_ref().map(|hint| hint.text(language)));
+                terminal.error(&message.text(language), hint.as_ref().map(|hint| hint.text(language)).as_deref());
                 failed = true;
             }
             other => other?,
@@ -97,7 +97,7 @@ fn one(
     }
     let name = if arguments.films.len() > 1 { format!("{}: ", path.display()) } else { String::new() };
     for note in &notes {
-        terminal.print(&format!("{name}{}: {}\n", language.pick("note", "nota"), note.text(language)));
+        terminal.print(&format!("{name}{}: {}\n", language.say("note"), note.text(language)));
     }
     Ok(())
 }
@@ -116,14 +116,11 @@ fn workbook(path: &Path, table: &Table, calibration: &Calibration, notes: &[Word
         columns.iter().map(|(head, values)| (head.as_str(), *values)).unzip();
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let film = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let times = words(
-        "times are those of the film's frames, from its beginning",
-        "los tiempos son los de los fotogramas del vídeo, desde su comienzo",
-    );
+    let times = words("times are those of the film's frames, from its beginning");
     let rows = std::iter::once(film)
-        .chain(notes.iter().chain([&times]).map(|note| note.text(language).to_owned()))
+        .chain(notes.iter().chain([&times]).map(|note| note.text(language).into_owned()))
         .map(|text| vec![Cell::from(text)]);
-    let about = Sheet { name: language.pick("Film", "Vídeo").to_owned(), rows: rows.collect(), header: true };
+    let about = Sheet { name: language.say("Film").to_owned(), rows: rows.collect(), header: true };
     Workbook { sheets: vec![Sheet::of_film(&name, &heads, &values, calibration.relative_sigma()), about] }.xlsx()
 }
 

@@ -14,14 +14,8 @@ pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: 
     let mut notes = Vec::new();
     for (number, track) in (1..).zip(tracks) {
         let found = of_track(track, table, shown);
-        let named = |words: Words| {
-            words!(
-                "track {number}: {what}",
-                "trayectoria {number}: {what}",
-                number = Words::same(number.to_string()),
-                what = words
-            )
-        };
+        let named =
+            |words: Words| words!("track {number}: {what}", number = Words::same(number.to_string()), what = words);
         notes.extend(found.into_iter().map(|words| if tracks.len() > 1 { named(words) } else { words }));
     }
     notes.extend(calibration.notes());
@@ -31,13 +25,10 @@ pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: 
 fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
     let mut notes = Vec::new();
     if track.points.is_empty() {
-        notes.push(words("it was found in no frame", "no se encontró en ningún fotograma"));
+        notes.push(words("it was found in no frame"));
     }
     if rests(track) {
-        notes.push(words(
-            "it moves by less than a pixel; if it should move, click the edge that does",
-            "se mueve menos de un píxel; si debería moverse, elige el borde que lo hace",
-        ));
+        notes.push(words("it moves by less than a pixel; if it should move, click the edge that does"));
     }
     notes.extend(track.camera());
     let doubtful: Vec<usize> = track.points.iter().filter(|point| point.doubtful).map(|point| point.frame).collect();
@@ -46,35 +37,27 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
         let listed: Vec<String> = doubtful.iter().take(LISTED).map(|frame| (frame + 1).to_string()).collect();
         let listed = listed.join(", ") + if count > LISTED { ", ..." } else { "" };
         notes.push(words!(
-            "in doubt: {count} of {of} frames, {listed} (counted from 1); look at them before you use their rows",
-            "dudosos: {count} de {of} fotogramas, {listed} (contados desde 1); míralos antes de usar sus filas"
+            "in doubt: {count} of {of} frames, {listed} (counted from 1); look at them before you use their rows"
         ));
     }
     let hidden = hidden(track);
     if !hidden.is_empty() {
         let listed: Vec<String> = hidden.iter().take(LISTED).map(|(from, to)| format!("{from}..{to}")).collect();
         let listed = listed.join(", ") + if hidden.len() > LISTED { ", ..." } else { "" };
-        notes.push(words!(
-            "not seen in frames {listed} (counted from 1), which have no position of it",
-            "no se ve en los fotogramas {listed} (contados desde 1), que no tienen posición suya"
-        ));
+        notes.push(words!("not seen in frames {listed} (counted from 1), which have no position of it"));
     }
     if let Some(frame) = track.lost {
         let time = shown.get(frame).copied().unwrap_or(f64::NAN);
         // Rows continue if a key frame finds the body again, and for other bodies.
         let then = match track.points.last() {
-            Some(last) if last.frame > frame => words("it is found again later", "se vuelve a encontrar después"),
-            _ if table.frames.len() > track.points.len() => {
-                words("later rows have no value for it", "las filas posteriores no tienen valor para él")
-            }
-            _ => words("later frames have no row", "los fotogramas posteriores no tienen fila"),
+            Some(last) if last.frame > frame => words("it is found again later"),
+            _ if table.frames.len() > track.points.len() => words("later rows have no value for it"),
+            _ => words("later frames have no row"),
         };
         notes.push(words!(
             "lost from frame {frame} on (counted from 1; {time} s of the film), where nothing resembles what was clicked; {then}",
-            "perdido desde el fotograma {frame} (contado desde 1; {time} s del vídeo), donde nada se parece a lo elegido; {then}",
             frame = Words::same((frame + 1).to_string()),
             time = displayed(time),
-            then = then
         ));
     }
     notes

@@ -59,7 +59,7 @@ impl Opened {
         let mut file = File::open(path).map_err(failure)?;
         let metadata = file.metadata().map_err(failure)?;
         if metadata.is_dir() {
-            return Err(refused(path, words("it is a folder", "es una carpeta")));
+            return Err(refused(path, words("it is a folder")));
         }
         let mut start = Vec::new();
         Read::by_ref(&mut file).take(Y4M.len() as u64).read_to_end(&mut start).map_err(failure)?;
@@ -98,7 +98,7 @@ impl Opened {
         };
         let mut notes: Vec<Words> = film.notices.iter().map(Notice::words).collect();
         let ([width, height], coding) = (upright.map(f64::round), film.codec.label().to_owned());
-        notes.insert(0, words!("{coding}, {width} x {height} pixels", "{coding}, {width} x {height} píxeles"));
+        notes.insert(0, words!("{coding}, {width} x {height} pixels"));
         Self {
             path: path.to_owned(),
             bytes,
@@ -131,10 +131,7 @@ impl Opened {
         let Some(rate) = header.rate else {
             return Err(refused(
                 path,
-                words(
-                    "its header states no frame rate; convert the film again with one, as `ffmpeg -r 30` does",
-                    "su cabecera no indica una frecuencia de fotogramas; convierte el vídeo de nuevo con una, como hace `ffmpeg -r 30`",
-                ),
+                words("its header states no frame rate; convert the film again with one, as `ffmpeg -r 30` does"),
             ));
         };
         if count == 0 {
@@ -154,7 +151,7 @@ impl Opened {
             stated_rate: None,
             capture_rate: None,
             cut: false,
-            notes: vec![words!("Y4M, {width} x {height} pixels", "Y4M, {width} x {height} píxeles")],
+            notes: vec![words!("Y4M, {width} x {height} pixels")],
         })
     }
 
@@ -230,5 +227,5 @@ pub fn refused_with(path: &Path, why: Words, hint: Words) -> Failure {
 
 fn named(path: &Path, why: Words) -> Words {
     let name = Words::same(path.display().to_string());
-    words!("{name}: {why}", "{name}: {why}", name = name, why = why)
+    words!("{name}: {why}")
 }

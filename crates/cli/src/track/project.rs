@@ -6,6 +6,7 @@ use analysis::tracker::{self, Film, Project, TrackerError};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+use std::sync::Arc;
 use units::{Words, words};
 
 /// Number of bytes that identify a project.
@@ -24,51 +25,46 @@ pub fn refusal(path: &Path) -> Option<Failure> {
         return None;
     }
     file.take(MOST_BYTES).read_to_end(&mut bytes).ok()?;
-    let read = tracker::read(bytes);
-    if let Err(error @ TrackerError::Tabs { .. }) = &read {
-        let hint = Words::each(|language| error.hint(language).to_owned());
-        return Some(refused_with(path, Words::each(|language| error.message(language)), hint));
-    }
-    let project = read.ok().map(|opened| opened.project);
+    let project = match tracker::read(bytes) {
+        Err(error @ TrackerError::Tabs { .. }) => {
+            let error = Arc::new(error);
+            let of_hint = error.clone();
+            let hint = Words::each(move |language| of_hint.hint(language).to_owned());
+            return Some(refused_with(path, Words::each(move |language| error.message(language)), hint));
+        }
+        read => read.ok().map(|opened| opened.project),
+    };
     if project.is_none() && !is_text {
         return None;
     }
-    let why = words("it is a project of Tracker, not a film", "es un proyecto de Tracker, no un vídeo");
+    let why = words("it is a project of Tracker, not a film");
     Some(refused_with(path, why, hint(path, project.as_ref())))
 }
 
 fn hint(path: &Path, project: Option<&Project>) -> Words {
     let name = path.display();
     let Some(project) = project else {
-        return words("give the film itself", "indica el vídeo mismo");
+        return words("give the film itself");
     };
     let Some(Film { path: film, packed, .. }) = project.trackable() else {
         let pictures = project.film.as_ref().filter(|film| !film.path.is_empty()).map(|film| &film.path);
         let why = match pictures {
-            Some(pictures) => words!(
-                "it names pictures, `{pictures}`, and no film that can be tracked here",
-                "nombra imágenes, «{pictures}», y ningún vídeo que se pueda seguir aquí"
-            ),
-            None => words("it names no film", "no nombra ningún vídeo"),
+            Some(pictures) => words!("it names pictures, `{pictures}`, and no film that can be tracked here"),
+            None => words("it names no film"),
         };
         return words!(
             "{why}; `meniscus fit` and `meniscus cycles {name}` read its positions",
-            "{why}; «meniscus fit» y «meniscus cycles {name}» leen sus posiciones",
-            why = why,
             name = Words::same(name.to_string())
         );
     };
     let beside = path.parent().unwrap_or_else(|| Path::new("")).join(film.replace('\\', "/"));
     if let Some(packed) = packed {
         let inside = &packed.name;
-        words!(
-            "its film `{inside}` is in this archive: extract it (unzip {name} '{inside}') and track that",
-            "su vídeo «{inside}» está en este archivo: extráelo (unzip {name} '{inside}') y sigue ese"
-        )
+        words!("its film `{inside}` is in this archive: extract it (unzip {name} '{inside}') and track that")
     } else if beside.is_file() {
         let beside = beside.display();
-        words!("its film is beside it: meniscus track {beside}", "su vídeo está a su lado: meniscus track {beside}")
+        words!("its film is beside it: meniscus track {beside}")
     } else {
-        words!("its film is `{film}`: give that file", "su vídeo es «{film}»: indica ese archivo")
+        words!("its film is `{film}`: give that file")
     }
 }

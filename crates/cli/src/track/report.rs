@@ -29,7 +29,7 @@ pub fn page(
     let report = Film {
         name: film.path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         facts: file.facts(language),
-        notes: notes.iter().map(|note| sentence(note.text(language))).collect(),
+        notes: notes.iter().map(|note| sentence(&note.text(language))).collect(),
         pictures: frame(film, arguments, followed)
             .into_iter()
             .chain(strips.map(|(picture, track)| FilmPicture::space_time(picture, track, &[])))

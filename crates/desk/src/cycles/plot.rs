@@ -10,7 +10,7 @@ use analysis::cycles::{Cycle, Quantity, cycles, mean, well_known};
 use engine::Readings;
 use figure::{Interval, Style};
 use play::{AddedPlot, AddedSeries, Labels, points_colour};
-use units::Language;
+use units::{Language, say};
 
 /// Number of rows of a run that are read to find its cycles. More are read if the run has many cycles.
 const FEW_ROWS: usize = 2000;
@@ -160,19 +160,16 @@ impl Desk {
 
 fn cycles_title(language: Language, quantity: &str, against_amplitude: bool) -> String {
     match against_amplitude {
-        true => language.pick(format!("{quantity} against amplitude"), format!("{quantity} frente a la amplitud")),
-        false => language.pick(format!("{quantity} against time"), format!("{quantity} frente al tiempo")),
+        true => say!(language, "{quantity} against amplitude"),
+        false => say!(language, "{quantity} against time"),
     }
 }
 
 fn cycles_description(language: Language) -> &'static str {
-    language.pick(
-        "Each point is a turning point with the half-cycles around it; bars are one standard error.",
-        "Cada punto es un punto de retorno con los semiciclos a su alrededor; las barras son un error estándar.",
-    )
+    language.say("Each point is a turning point with the half-cycles around it; bars are one standard error.")
 }
 
 /// Legends of the constant, of the cycles of the run and of the measured cycles.
 fn cycles_legend(language: Language) -> [&'static str; 3] {
-    language.pick(["if constant", "simulation", "measured"], ["si es constante", "simulación", "medido"])
+    language.say_all(["if constant", "simulation", "measured"])
 }

@@ -234,12 +234,12 @@ pub(crate) fn capital(name: &str) -> String {
 
 /// The word for cycles, also used in file names.
 fn cycles_word(language: Language) -> &'static str {
-    language.pick("cycles", "ciclos")
+    language.say("cycles")
 }
 
 fn turning_point(language: Language, maximum: bool) -> &'static str {
     match maximum {
-        true => language.pick("maximum", "máximo"),
-        false => language.pick("minimum", "mínimo"),
+        true => language.say("maximum"),
+        false => language.say("minimum"),
     }
 }

@@ -65,10 +65,9 @@ impl Desk {
     fn parallax(&self, form: &ParallaxForm) -> Result<Parallax, Refusal> {
         let (behind, distance) = (self.length(&form.behind)?, self.length(&form.distance)?);
         if !(distance > 0.0 && distance + behind > 0.0) {
-            return Err(self.film_refusal(&words(
-                "The camera must be further away than the ruler is in front of the motion.",
-                "La cámara debe estar más lejos de lo que la regla está por delante del movimiento.",
-            )));
+            return Err(
+                self.film_refusal(&words("The camera must be further away than the ruler is in front of the motion."))
+            );
         }
         Ok(Parallax { behind, distance })
     }
@@ -78,20 +77,17 @@ impl Desk {
         let without_unit = number::parse(typed, self.play.style()).is_some_and(|(_, rest)| rest.is_empty());
         if without_unit {
             let typed: String = typed.trim().chars().take(40).collect();
-            return Err(self.film_refusal(&words!(
-                "{typed} has no unit. Enter a length such as 10 cm.",
-                "{typed} no tiene unidad. Escribe una longitud como 10 cm."
-            )));
+            return Err(self.film_refusal(&words!("{typed} has no unit. Enter a length such as 10 cm.")));
         }
         Ok(self.play.basis().read_value(typed, &Unit::si(Dimension::LENGTH))?)
     }
 
     pub(crate) fn film_refusal(&self, why: &Words) -> Refusal {
-        Refusal::Film { why: why.text(self.play.language()).to_owned() }
+        Refusal::Film { why: why.text(self.play.language()).into_owned() }
     }
 
     pub(crate) fn no_film(&self) -> Refusal {
-        self.film_refusal(&words("No film is open. Open one first.", "No hay ningún vídeo abierto. Abre uno primero."))
+        self.film_refusal(&words("No film is open. Open one first."))
     }
 }
 
@@ -106,8 +102,5 @@ impl LengthsForm {
 }
 
 fn no_picture() -> Words {
-    words(
-        "The marks between the two need the picture of a frame. Wait until it is shown, or use the two marks alone.",
-        "Las marcas intermedias necesitan la imagen de un fotograma. Espera a que se muestre o usa solo las dos marcas.",
-    )
+    words("The marks between the two need the picture of a frame. Wait until it is shown, or use the two marks alone.")
 }

@@ -40,12 +40,10 @@ impl Doubt {
     /// Short description.
     pub fn words(self) -> Words {
         match self {
-            Self::Lost => words("lost from here on", "perdido desde aquí"),
-            Self::Score => words("hardly resembles what was clicked", "apenas se parece a lo elegido"),
-            Self::Error => words("large standard error", "error estándar grande"),
-            Self::Deviation => {
-                words("does not follow from the frames around it", "no concuerda con los fotogramas vecinos")
-            }
+            Self::Lost => words("lost from here on"),
+            Self::Score => words("hardly resembles what was clicked"),
+            Self::Error => words("large standard error"),
+            Self::Deviation => words("does not follow from the frames around it"),
         }
     }
 }

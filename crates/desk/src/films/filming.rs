@@ -16,16 +16,12 @@ impl Desk {
     pub fn usual_camera(&self) -> Result<CameraSettings, Refusal> {
         let program = self.play.program();
         if program.scene(self.play.basis().tag()).is_none() {
-            return Err(self.film_refusal(&words(
-                "This document has no scene, so there is nothing to film.",
-                "Este documento no tiene escena, así que no hay nada que filmar.",
-            )));
+            return Err(self.film_refusal(&words("This document has no scene, so there is nothing to film.")));
         }
         if self.play.model().independent.unit.dimension != Dimension::TIME {
-            return Err(self.film_refusal(&words(
-                "A camera films in seconds, and this simulation does not run in time.",
-                "Una cámara filma en segundos, y esta simulación no transcurre en el tiempo.",
-            )));
+            return Err(
+                self.film_refusal(&words("A camera films in seconds, and this simulation does not run in time."))
+            );
         }
         Ok(CameraSettings::usual(program.pace().per_second, program.until.unwrap_or(f64::INFINITY)))
     }
@@ -94,8 +90,5 @@ impl Desk {
 }
 
 fn other_document(title: &str) -> Words {
-    words!(
-        "The film shows {title} in another version or with other sizes. Open that document to film it again.",
-        "El vídeo muestra {title} en otra versión o con otros tamaños. Abre ese documento para filmarlo de nuevo."
-    )
+    words!("The film shows {title} in another version or with other sizes. Open that document to film it again.")
 }

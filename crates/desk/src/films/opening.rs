@@ -33,10 +33,9 @@ impl Desk {
     ) -> Result<FilmOpening, Refusal> {
         let clip = Clip::new(container);
         if clip.rate().is_none() {
-            return Err(self.film_refusal(&words(
-                "The film has no two frames at different times: nothing moves in it.",
-                "El vídeo no tiene dos fotogramas en tiempos distintos: nada se mueve en él.",
-            )));
+            return Err(
+                self.film_refusal(&words("The film has no two frames at different times: nothing moves in it."))
+            );
         }
         self.close_film();
         let known = self.films.works.iter().position(|work| work.identity.is_same_film(&identity));

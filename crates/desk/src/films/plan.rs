@@ -103,8 +103,5 @@ pub(crate) fn by_hand(clicks: &[Click], sigma: f64, clip: &Clip, factor: f64) ->
 }
 
 pub(crate) fn nothing_followed() -> Words {
-    words(
-        "Nothing is followed yet. Click the surface of a liquid or a body.",
-        "Aún no se sigue nada. Pulsa la superficie de un líquido o un cuerpo.",
-    )
+    words("Nothing is followed yet. Click the surface of a liquid or a body.")
 }

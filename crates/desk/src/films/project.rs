@@ -100,15 +100,11 @@ impl ProjectFilm {
     pub(super) fn form(&self, clip: &Clip, style: number::Style) -> Result<CalibrationForm, Words> {
         let coordinates = &self.project.coordinates;
         if coordinates.changes() {
-            return Err(words(
-                "its axes or its scale change from frame to frame, and those of a film here do not",
-                "sus ejes o su escala cambian de un fotograma a otro, y los de un vídeo aquí no",
-            ));
+            return Err(words("its axes or its scale change from frame to frame, and those of a film here do not"));
         }
         if let Some(filter) = self.project.filters.iter().find(|filter| MOVING_FILTERS.contains(&filter.as_str())) {
             return Err(words!(
                 "its positions belong to pictures that a filter has changed ({filter})",
-                "sus posiciones pertenecen a imágenes que un filtro ha cambiado ({filter})",
                 filter = Words::same(filter.clone())
             ));
         }
@@ -127,10 +123,7 @@ impl ProjectFilm {
             let text = format!("{} {unit}", number::plain(length, 3, style));
             LengthsForm::Ruler { marks: [end(-half), end(half)], length: text, intervals: 1 }
         } else {
-            return Err(words(
-                "its scale along the rows is not that along the columns",
-                "su escala en las filas no es la de las columnas",
-            ));
+            return Err(words("its scale along the rows is not that along the columns"));
         };
         let (sine, cosine) = libm::sincos(angle.to_radians());
         let inside = |point: &[f64; 2]| (0.0..=width).contains(&point[0]) && (0.0..=height).contains(&point[1]);
@@ -140,7 +133,7 @@ impl ProjectFilm {
             points.into_iter().find(inside)
         });
         if !inside(&origin) || axis == Some(None) {
-            return Err(words("its origin lies outside the picture", "su origen está fuera de la imagen"));
+            return Err(words("its origin lies outside the picture"));
         }
         Ok(CalibrationForm { lengths, origin: Some(origin), axis: axis.flatten(), parallax: None })
     }

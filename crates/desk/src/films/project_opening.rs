@@ -64,7 +64,6 @@ impl Desk {
         if masses.len() > MOST_BODIES {
             return Err(self.film_refusal(&words!(
                 "it has {count} masses, and at most {MOST_BODIES} are followed in a film",
-                "tiene {count} masas, y en un vídeo se siguen {MOST_BODIES} como máximo",
                 count = Words::same(masses.len().to_string())
             )));
         }
@@ -80,9 +79,9 @@ impl Desk {
         let ends = clip.ends(part);
         let step = own.project.clip.stretch().is_none().then_some(1000.0 * own.project.clip.interval);
         let times = step.map(|step| Remark::FilmTimes { milliseconds: Some(step).filter(|step| step.is_finite()) });
-        let note = Words::each(|language| times.as_ref().map(|times| times.text(language)).unwrap_or_default());
+        let note = times.clone().map(|times| Words::each(move |language| times.text(language)));
         let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
-        open.notes.extend(times.is_some().then_some(note));
+        open.notes.extend(note);
         (work.form, work.calibration, work.subject, work.found) = (form, calibration, subject, Some(found));
         (work.part, work.ends, work.factor, work.record) = (part, ends, factor, Some(own.record));
         self.keep_remarks(own.record, times)

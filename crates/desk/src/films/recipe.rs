@@ -65,28 +65,18 @@ impl CameraSettings {
     pub fn check(&self) -> Result<(), Words> {
         let [least, most] = RATES;
         if !(least..=most).contains(&self.rate) {
-            return Err(words!(
-                "The camera takes from {least} to {most} frames a second.",
-                "La cámara toma de {least} a {most} fotogramas por segundo."
-            ));
+            return Err(words!("The camera takes from {least} to {most} frames a second."));
         }
         if !(LEAST_FRAMES..=MOST_FRAMES).contains(&(self.seconds * self.rate)) {
             return Err(words!(
-                "Seconds times frames a second must be between {LEAST_FRAMES} and {MOST_FRAMES} frames.",
-                "Los segundos por los fotogramas por segundo deben dar entre {LEAST_FRAMES} y {MOST_FRAMES} fotogramas."
+                "Seconds times frames a second must be between {LEAST_FRAMES} and {MOST_FRAMES} frames."
             ));
         }
         if !(0.0..=1.0).contains(&(self.exposure * self.rate)) {
-            return Err(words(
-                "The exposure cannot be longer than the time from one frame to the next.",
-                "La exposición no puede ser más larga que el tiempo de un fotograma al siguiente.",
-            ));
+            return Err(words("The exposure cannot be longer than the time from one frame to the next."));
         }
         if !(0.0..=LOUDEST).contains(&self.noise) {
-            return Err(words!(
-                "The noise is between 0 and {LOUDEST} of 255 grey values.",
-                "El ruido está entre 0 y {LOUDEST} de 255 valores de gris."
-            ));
+            return Err(words!("The noise is between 0 and {LOUDEST} of 255 grey values."));
         }
         Ok(())
     }
@@ -140,7 +130,7 @@ impl FilmRecipe {
 }
 
 fn filmed() -> Words {
-    words("Filmed simulation", "Simulación filmada")
+    words("Filmed simulation")
 }
 
 /// Hash of a text.

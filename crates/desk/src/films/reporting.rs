@@ -26,7 +26,7 @@ impl Desk {
         let work = self.films.of_record(record)?;
         let clip = self.open_of(work).map(|open| &open.clip);
         let language = self.play.language();
-        let sentence = |words: &Words| units::sentence(words.text(language));
+        let sentence = |words: &Words| units::sentence(&words.text(language));
         let times = clip.map(Clip::notes).unwrap_or_default();
         Some(Film {
             name: work.identity.name.clone(),

@@ -40,8 +40,7 @@ impl Desk {
         read().filter(|factor| (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)).ok_or_else(|| {
             let typed: String = typed.chars().take(40).collect();
             self.film_refusal(&words!(
-                "{typed} is not possible. Enter how many times slower the film plays than things happened, such as 8 or 240/30.",
-                "{typed} no es posible. Escribe cuántas veces más lento se reproduce el vídeo que lo ocurrido, como 8 o 240/30."
+                "{typed} is not possible. Enter how many times slower the film plays than things happened, such as 8 or 240/30."
             ))
         })
     }
@@ -57,10 +56,7 @@ impl Desk {
         let part = part.map(|end| end.filter(|end| end.is_finite()));
         let ends = open.clip.ends(part);
         if ends[0] >= ends[1] {
-            return Err(self.film_refusal(&words(
-                "Fewer than two frames lie in this part. Choose a longer one.",
-                "En esta parte hay menos de dos fotogramas. Elige una más larga.",
-            )));
+            return Err(self.film_refusal(&words("Fewer than two frames lie in this part. Choose a longer one.")));
         }
         (work.part, work.ends) = (part, ends);
         if open.running {

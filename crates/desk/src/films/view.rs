@@ -45,7 +45,7 @@ impl Desk {
     /// Notes on file, times, camera and scale of the open film, as sentences in the chosen language.
     pub fn film_notes(&self) -> Vec<String> {
         let Some(film) = self.film() else { return Vec::new() };
-        let sentence = |words: Words| units::sentence(words.text(self.play.language()));
+        let sentence = |words: Words| units::sentence(&words.text(self.play.language()));
         film.notes().into_iter().map(sentence).collect()
     }
 
@@ -175,11 +175,9 @@ impl<'a> OpenFilm<'a> {
         notes.extend(self.open.clip.notes());
         notes.extend(match (self.work.factor, self.open.clip.slow_motion()) {
             (None, found) => found.map(|found| found.words()),
-            (Some(factor), _) => Some(words!(
-                "times are divided by {factor}, as stated by hand",
-                "los tiempos se dividen por {factor}, como se indicó a mano",
-                factor = significant(factor, 4)
-            )),
+            (Some(factor), _) => {
+                Some(words!("times are divided by {factor}, as stated by hand", factor = significant(factor, 4)))
+            }
         });
         notes.extend(work_notes(self.work));
         notes
@@ -193,24 +191,19 @@ pub(super) fn work_notes(work: &Work) -> Vec<Words> {
         let camera = recipe.settings;
         words!(
             "virtual camera: exposure {ms} ms, noise of {noise} of 255 grey values, seed {seed}, no compression",
-            "cámara virtual: exposición de {ms} ms, ruido de {noise} de 255 valores de gris, semilla {seed}, sin compresión",
             ms = milliseconds(camera.exposure),
             noise = significant(camera.noise, 3),
-            seed = Words::each(|_| camera.seed.to_string())
+            seed = Words::each(move |_| camera.seed.to_string())
         )
     }));
     let found = work.found.as_ref();
     if let Some(found) = found.filter(|found| !found.repeated.is_empty()) {
         let (count, of) = (found.repeated.len(), found.repeated.len() + found.frames.len());
-        notes.push(words!(
-            "{count} of {of} frames repeat the picture before and are left out: their times are wrong",
-            "{count} de {of} fotogramas repiten la imagen anterior y se excluyen: sus tiempos son erróneos"
-        ));
+        notes.push(words!("{count} of {of} frames repeat the picture before and are left out: their times are wrong"));
     }
     if let Subject::Points { sigma, .. } = &work.subject {
         notes.push(words!(
             "points clicked by hand: a standard error of {sigma} px in each coordinate is assumed",
-            "puntos marcados a mano: se supone un error estándar de {sigma} px en cada coordenada",
             sigma = significant(*sigma, 3)
         ));
     }
@@ -225,9 +218,9 @@ pub(super) fn work_notes(work: &Work) -> Vec<Words> {
 }
 
 fn milliseconds(seconds: f64) -> Words {
-    Words::each(|language| number::fixed(1e3 * seconds, 1, language.style()))
+    Words::each(move |language| number::fixed(1e3 * seconds, 1, language.style()))
 }
 
 fn significant(value: f64, digits: usize) -> Words {
-    Words::each(|language| number::plain(value, digits, language.style()))
+    Words::each(move |language| number::plain(value, digits, language.style()))
 }

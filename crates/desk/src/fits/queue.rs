@@ -125,14 +125,8 @@ impl Desk {
                 break;
             }
             self.fits.lost.push(match has_theory {
-                true => words!(
-                    "fit of {file}: the theory cannot be fitted to its records",
-                    "ajuste de {file}: la teoría no se puede ajustar a sus registros"
-                ),
-                false => words!(
-                    "fit of {file}: its document has errors or other parameters",
-                    "ajuste de {file}: su documento tiene errores u otros parámetros"
-                ),
+                true => words!("fit of {file}: the theory cannot be fitted to its records"),
+                false => words!("fit of {file}: its document has errors or other parameters"),
             });
         }
         Ok(())

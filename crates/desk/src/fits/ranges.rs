@@ -7,6 +7,7 @@ use analysis::cycles::{NoCycles, cycles};
 use engine::{Method, Setup};
 use program::{Model, NodeId};
 use units::order::median;
+use units::say;
 
 /// Maximum work of all runs together, in floating-point operations: some milliseconds.
 const MOST_WORK: u64 = 4_000_000;
@@ -102,21 +103,13 @@ impl Desk {
         };
         let language = self.play.language();
         let ends = [shown(shortest), shown(longest)];
-        Some(language.pick(
-            format!(
-                "The open document cannot hold this record: within the ranges of its parameters it has periods from {} to {}, and \
+        Some(say!(
+            language,
+            "The open document cannot hold this record: within the ranges of its parameters it has periods from {} to {}, and \
                  the record has one of {}. Choose a theory.",
-                ends[0],
-                ends[1],
-                shown(own)
-            ),
-            format!(
-                "El documento abierto no puede describir este registro: dentro de los rangos de sus parámetros tiene periodos de {} a {}, \
-                 y el registro tiene uno de {}. Elige una teoría.",
-                ends[0],
-                ends[1],
-                shown(own)
-            ),
+            ends[0],
+            ends[1],
+            shown(own)
         ))
     }
 }

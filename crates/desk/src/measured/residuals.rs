@@ -109,7 +109,7 @@ impl Desk {
 
     /// Sets the texts of the plot of the residuals.
     pub(crate) fn label_residuals(&mut self) {
-        let (title, left_over) = words::residuals(self.play.language());
+        let [title, left_over] = words::residuals(self.play.language());
         let independent = &self.play.model().independent;
         let names: Vec<String> =
             self.data.measured.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();

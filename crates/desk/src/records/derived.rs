@@ -7,7 +7,7 @@ use crate::{Announcement, Desk, Refusal};
 use analysis::derivative::{self, Differentiation};
 use analysis::table::Column;
 use document::Document;
-use units::{Language, Unit};
+use units::{Language, Unit, say};
 
 impl Desk {
     /// Appends velocity and acceleration of a column to the record. Replaces earlier derivatives of the same column.
@@ -144,12 +144,11 @@ impl Record {
 /// Short name of a method of differentiation.
 pub(crate) fn differentiation(language: Language, how: Differentiation) -> String {
     match how {
-        Differentiation::Central => language.pick("central differences", "diferencias centrales").to_owned(),
-        Differentiation::Forward => language.pick("forward differences", "diferencias progresivas").to_owned(),
-        Differentiation::Backward => language.pick("backward differences", "diferencias regresivas").to_owned(),
-        Differentiation::Smooth { window, degree } => language.pick(
-            format!("polynomials of degree {degree} over {window} rows"),
-            format!("polinomios de grado {degree} sobre {window} filas"),
-        ),
+        Differentiation::Central => language.say("central differences").to_owned(),
+        Differentiation::Forward => language.say("forward differences").to_owned(),
+        Differentiation::Backward => language.say("backward differences").to_owned(),
+        Differentiation::Smooth { window, degree } => {
+            say!(language, "polynomials of degree {degree} over {window} rows")
+        }
     }
 }

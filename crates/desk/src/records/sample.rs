@@ -3,14 +3,15 @@
 use crate::{Desk, Refusal};
 use analysis::virtual_record::Camera;
 use document::Document;
+use units::{Words, words};
 
 /// A sample record.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Sample {
     /// File of the theory that generates it.
     pub file: &'static str,
     /// Name in English and in Spanish.
-    names: [&'static str; 2],
+    name: Words,
     /// Values of parameters, SI, by name.
     settings: &'static [(&'static str, f64)],
     camera: Camera,
@@ -21,28 +22,28 @@ const CAMERA: Camera =
     Camera { rate: 30.0, duration: 8.0, pixel: 3.3e-4, noise: 2e-4, jitter: 0.0, scale: 0.0, seed: 0 };
 
 /// The sample records: three column lengths with linear friction, and one with contact-line friction.
-pub const SAMPLES: [Sample; 4] = [
+pub static SAMPLES: [Sample; 4] = [
     Sample {
         file: "theories/linear.md",
-        names: ["Column of 18 cm", "Columna de 18 cm"],
+        name: words("Column of 18 cm"),
         settings: &[("L", 0.18), ("gamma", 0.42), ("y_0", 0.045), ("c", 0.002)],
         camera: Camera { seed: 18, ..CAMERA },
     },
     Sample {
         file: "theories/linear.md",
-        names: ["Column of 24 cm", "Columna de 24 cm"],
+        name: words("Column of 24 cm"),
         settings: &[("L", 0.24), ("gamma", 0.42), ("y_0", 0.045), ("c", -0.001)],
         camera: Camera { seed: 24, ..CAMERA },
     },
     Sample {
         file: "theories/linear.md",
-        names: ["Column of 32 cm", "Columna de 32 cm"],
+        name: words("Column of 32 cm"),
         settings: &[("L", 0.32), ("gamma", 0.42), ("y_0", 0.045), ("c", 0.0005)],
         camera: Camera { seed: 32, ..CAMERA },
     },
     Sample {
         file: "theories/linear-contact-line.md",
-        names: ["Column with a contact line", "Columna con línea de contacto"],
+        name: words("Column with a contact line"),
         settings: &[("L", 0.21), ("gamma", 0.25), ("mu", 0.12), ("s", 0.002), ("y_0", 0.05), ("c", 0.001)],
         camera: Camera { seed: 21, noise: 3e-4, jitter: 5e-4, ..CAMERA },
     },
@@ -50,8 +51,8 @@ pub const SAMPLES: [Sample; 4] = [
 
 impl Desk {
     /// Names of the sample records in the chosen language.
-    pub fn sample_names(&self) -> [&'static str; SAMPLES.len()] {
-        SAMPLES.map(|sample| self.play.language().pick(sample.names[0], sample.names[1]))
+    pub fn sample_names(&self) -> [String; SAMPLES.len()] {
+        SAMPLES.each_ref().map(|sample| sample.name.text(self.play.language()).into_owned())
     }
 
     /// Makes a sample record with the theory that it follows, and adds it. Returns its id.
@@ -60,8 +61,8 @@ impl Desk {
     /// As [`Desk::add_record`]; also if the theory lacks a parameter of the sample.
     pub fn add_sample(&mut self, sample: usize, theory: Document) -> Result<u32, Refusal> {
         let unknown = || Refusal::unknown(sample);
-        let Sample { names, settings, camera, .. } = SAMPLES.get(sample).ok_or_else(unknown)?;
-        let name = self.play.language().pick(names[0], names[1]);
+        let Sample { name, settings, camera, .. } = SAMPLES.get(sample).ok_or_else(unknown)?;
+        let name = name.text(self.play.language());
         let mut theory = Desk::open(theory);
         for (parameter, value) in *settings {
             let index =
@@ -71,6 +72,6 @@ impl Desk {
         let text = theory.measured_text("y", camera)?;
         let play = &theory.play;
         let truth = play.basis().parameters(play.course()).into_iter().map(|one| (one.name, one.value)).collect();
-        self.insert_record(name, text.as_bytes(), Some(truth))
+        self.insert_record(&name, text.as_bytes(), Some(truth))
     }
 }

@@ -34,11 +34,11 @@ impl Desk {
             return Understood { origin: UnitOrigin::Person.text(self.play.language()), ..Understood::default() };
         }
         let assumed = column.unit.is_none() && !asked;
-        let origin = match (assumed, self.play.language()) {
-            _ if lacks_scale => no_scale(self.play.language()).to_owned(),
-            (true, Language::English) => "assumed: the file states none".to_owned(),
-            (true, Language::Spanish) => "supuesta: el archivo no la indica".to_owned(),
-            (false, _) => column.origin.unit.text(self.play.language()),
+        let language = self.play.language();
+        let origin = match assumed {
+            _ if lacks_scale => no_scale(language).to_owned(),
+            true => language.say("assumed: the file states none").to_owned(),
+            false => column.origin.unit.text(language),
         };
         Understood { origin, assumed, asked }
     }
@@ -52,10 +52,7 @@ pub(crate) fn lacks_scale(model: &Model, used: &Use) -> bool {
 
 /// Remedy for a film without a scale.
 pub(crate) fn no_scale(language: Language) -> &'static str {
-    language.pick(
-        "in pixels: give the film a scale: two clicks on the ruler",
-        "en píxeles: da una escala al vídeo: dos clics en la regla",
-    )
+    language.say("in pixels: give the film a scale: two clicks on the ruler")
 }
 
 impl Record {

@@ -48,10 +48,7 @@ impl Desk {
         let (mut refused, mut tried) = (Vec::new(), 0);
         for (name, text) in items {
             let Some((_, item)) = Item::read(text) else {
-                refused.push(words!(
-                    "{name}: it is damaged, or was saved by a later version",
-                    "{name}: está dañado o lo guardó una versión posterior"
-                ));
+                refused.push(words!("{name}: it is damaged, or was saved by a later version"));
                 continue;
             };
             if here.contains(name) {
@@ -80,48 +77,30 @@ impl Desk {
         match &item.0 {
             Content::Record(record) => {
                 let name = &record.name;
-                words!(
-                    "record {name}: its data cannot be read, or it exceeds the number or length of records",
-                    "registro {name}: sus datos no se pueden leer, o excede el número o la longitud de los registros"
-                )
+                words!("record {name}: its data cannot be read, or it exceeds the number or length of records")
             }
             Content::Film(film) => {
                 let name = &film.name;
-                words!(
-                    "work on the film {name}: it is damaged, or the file has it twice",
-                    "trabajo sobre la película {name}: está dañado, o el archivo lo tiene dos veces"
-                )
+                words!("work on the film {name}: it is damaged, or the file has it twice")
             }
             Content::Fit(fit) => {
                 let (file, names) = (&fit.task.file, self.record_names());
                 let is_missing = |part: &&Part| names.iter().all(|(_, name)| *name != part.record);
                 match fit.task.records.iter().find(is_missing) {
-                    Some(Part { name, .. }) => words!(
-                        "fit of {file}: its record {name} is missing",
-                        "ajuste de {file}: falta su registro {name}"
-                    ),
-                    None => words!(
-                        "fit of {file}: its columns do not fit the record",
-                        "ajuste de {file}: sus columnas no encajan en el registro"
-                    ),
+                    Some(Part { name, .. }) => words!("fit of {file}: its record {name} is missing"),
+                    None => words!("fit of {file}: its columns do not fit the record"),
                 }
             }
             Content::Answer(answer) => {
                 let typed = &answer.typed;
-                words!(
-                    "answer \"{typed}\": the document does not have its question",
-                    "respuesta «{typed}»: el documento no tiene su pregunta"
-                )
+                words!("answer \"{typed}\": the document does not have its question")
             }
         }
     }
 }
 
 fn too_many() -> Words {
-    words!(
-        "a project has at most {MOST_TRIED} records, works on films and fits",
-        "un proyecto tiene como máximo {MOST_TRIED} registros, trabajos sobre películas y ajustes"
-    )
+    words!("a project has at most {MOST_TRIED} records, works on films and fits")
 }
 
 /// Names and texts of items in their order. `now` in milliseconds.

@@ -29,7 +29,7 @@ fn records_and_answers_come_back_and_are_not_taken_twice() {
     let damaged = [("a".to_owned(), "{}".to_owned()), ("b".to_owned(), "[".to_owned()), project.items[0].clone()];
     let mut third = utube();
     let refused = third.take_project_items(&damaged);
-    let refused: Vec<&str> = refused.iter().map(|why| why.text(Language::English)).collect();
+    let refused: Vec<_> = refused.iter().map(|why| why.text(Language::English)).collect();
     assert_eq!(refused, ["a", "b"].map(|name| format!("{name}: it is damaged, or was saved by a later version")));
     assert_eq!(third.records().len(), 1);
 }

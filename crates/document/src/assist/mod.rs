@@ -50,9 +50,8 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
         span = attribute_at(source, offset)?;
     }
     let word = &source[span.range()];
-    let named = |list: &[vocabulary::Entry]| {
-        list.iter().find(|(name, _)| *name == word).map(|(_, meaning)| words(meaning.0, meaning.1))
-    };
+    let named =
+        |list: &[vocabulary::Entry]| list.iter().find(|(name, _)| *name == word).map(|(_, meaning)| meaning.clone());
     let meaning = match place {
         Place::Nothing => None,
         Place::Key => named(vocabulary::KEYS),
@@ -101,8 +100,8 @@ pub(crate) fn names_in(outline: &Outline) -> Vec<String> {
     names(outline, None).into_iter().filter(|name| !fixed(name)).map(|name| name.text).collect()
 }
 
-fn of_word(word: &str, meaning: &(&'static str, &'static str)) -> Suggestion {
-    Suggestion { kind: SuggestionKind::Word, text: word.to_owned(), meaning: words(meaning.0, meaning.1) }
+fn of_word(word: &str, meaning: &Words) -> Suggestion {
+    Suggestion { kind: SuggestionKind::Word, text: word.to_owned(), meaning: meaning.clone() }
 }
 
 fn of_unit(unit: &str) -> Suggestion {
@@ -146,7 +145,7 @@ fn elements() -> Vec<Suggestion> {
     let plain = scene::ELEMENTS.iter().map(|name| Suggestion {
         kind: SuggestionKind::Part,
         text: (*name).to_owned(),
-        meaning: words("element of SVG", "elemento de SVG"),
+        meaning: words("element of SVG"),
     });
     vocabulary::PARTS.iter().map(of).chain(plain).collect()
 }
@@ -159,8 +158,8 @@ fn attributes(element: &str) -> Vec<Suggestion> {
         |name: &str, meaning: Words| Suggestion { kind: SuggestionKind::Part, text: format!("{name}=\"\""), meaning };
     let meaning = |name: &str| {
         let known = vocabulary::ATTRIBUTES.iter().find(|(known, _)| *known == name);
-        known.map_or_else(|| words("of this part", "de esta parte"), |(_, meaning)| words(meaning.0, meaning.1))
+        known.map_or_else(|| words("of this part"), |(_, meaning)| meaning.clone())
     };
     let own = own.iter().map(|name| of(name, meaning(name)));
-    own.chain(all.map(|(name, meaning)| of(name, words(meaning.0, meaning.1)))).collect()
+    own.chain(all.map(|(name, meaning)| of(name, meaning.clone()))).collect()
 }

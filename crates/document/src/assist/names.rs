@@ -4,7 +4,7 @@ use super::suggestion::{Suggestion, SuggestionKind};
 use crate::Outline;
 use model::{Expression, ExpressionKind, Statement, StatementKind};
 use program::{Model, Program};
-use units::{Dimension, Unit, Words, words};
+use units::{Dimension, Language, Unit, Words, words};
 
 /// Names declared in a document, each once, in text order, and the names that every document has.
 pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
@@ -17,16 +17,15 @@ pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
     for statement in outline.blocks().iter().flat_map(|block| &block.statements) {
         let label = statement.label.as_ref().map(|label| label.text.as_str());
         for (text, what) in given(statement) {
-            let kind = if what.english == FUNCTION.0 { SuggestionKind::Function } else { SuggestionKind::Name };
+            let kind = if what == FUNCTION { SuggestionKind::Function } else { SuggestionKind::Name };
             let meaning = described(text, label, what, program);
             add(Suggestion { kind, text: text.to_owned(), meaning });
         }
     }
     let independent = program.map_or("t", |program| &program.model.independent.name);
-    for (text, meaning) in [
-        (independent, words("independent variable", "variable independiente")),
-        ("pi", words("3.14159..., half a turn in radians", "3,14159..., media vuelta en radianes")),
-    ] {
+    for (text, meaning) in
+        [(independent, words("independent variable")), ("pi", words("3.14159..., half a turn in radians"))]
+    {
         add(Suggestion { kind: SuggestionKind::Name, text: text.to_owned(), meaning });
     }
     names
@@ -44,31 +43,30 @@ pub fn independent(outline: &Outline) -> (String, String) {
     declared.next().unwrap_or_else(|| ("t".to_owned(), "s".to_owned()))
 }
 
-const FUNCTION: (&str, &str) = ("function of this document", "función de este documento");
+const FUNCTION: Words = words("function of this document");
 
 /// Names that a statement declares, with their kinds.
 fn given(statement: &Statement) -> Vec<(&str, Words)> {
     match &statement.kind {
-        StatementKind::Parameter(parameter) => vec![(&parameter.name.text, words("parameter", "parámetro"))],
-        StatementKind::Size(size) => vec![(&size.name.text, words("size of families", "tamaño de familias"))],
+        StatementKind::Parameter(parameter) => vec![(&parameter.name.text, words("parameter"))],
+        StatementKind::Size(size) => vec![(&size.name.text, words("size of families"))],
         StatementKind::Choice(choice) => {
             let values = choice.alternatives.iter().flat_map(|alternative| &alternative.values);
-            let chosen = values
-                .map(|value| (value.name.text.as_str(), words("decided by a choice", "decidido por una elección")));
-            std::iter::once((choice.name.text.as_str(), words("choice", "elección"))).chain(chosen).collect()
+            let chosen = values.map(|value| (value.name.text.as_str(), words("decided by a choice")));
+            std::iter::once((choice.name.text.as_str(), words("choice"))).chain(chosen).collect()
         }
-        StatementKind::Definition { name, .. } => vec![(&name.text, words("quantity", "magnitud"))],
-        StatementKind::InitialValue { name, .. } => vec![(&name.text, words("state", "estado"))],
+        StatementKind::Definition { name, .. } => vec![(&name.text, words("quantity"))],
+        StatementKind::InitialValue { name, .. } => vec![(&name.text, words("state"))],
         StatementKind::Discrete { name, .. } => {
-            vec![(&name.text, words("changes at events only", "cambia solo en eventos"))]
+            vec![(&name.text, words("changes at events only"))]
         }
         StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => {
-            vec![(name, words("family", "familia"))]
+            vec![(name, words("family"))]
         }
-        StatementKind::Function(function) => vec![(&function.name.text, words(FUNCTION.0, FUNCTION.1))],
-        StatementKind::Table(table) => vec![(&table.name.text, words("table", "tabla"))],
+        StatementKind::Function(function) => vec![(&function.name.text, FUNCTION)],
+        StatementKind::Table(table) => vec![(&table.name.text, words("table"))],
         StatementKind::Event { extras, .. } => {
-            extras.name.iter().map(|name| (name.text.as_str(), words("event", "evento"))).collect()
+            extras.name.iter().map(|name| (name.text.as_str(), words("event"))).collect()
         }
         _ => Vec::new(),
     }
@@ -79,19 +77,21 @@ fn described(name: &str, label: Option<&str>, what: Words, program: Option<&Prog
     let unit = program.and_then(|program| unit(&program.model, name)).filter(|unit| !unit.text.is_empty());
     let what = match unit {
         Some(unit) => {
-            words!("{what} in {unit}", "{what} en {unit}", what = what, unit = Words::same(unit.text.clone()))
+            words!("{what} in {unit}", unit = Words::same(unit.text.clone()))
         }
         None => what,
     };
     match label {
-        Some(label) => words!("{label}, {what}", "{label}, {what}", label = translated(label, program), what = what),
+        Some(label) => words!("{label}, {what}", label = translated(label, program)),
         None => what,
     }
 }
 
 /// A label in all languages of the document.
 fn translated(label: &str, program: Option<&Program>) -> Words {
-    Words::each(|language| program.map_or(label, |program| program.text(language.tag(), label)).to_owned())
+    let text = |language: Language| program.map_or(label, |program| program.text(language.tag(), label)).to_owned();
+    let texts = Language::ALL.map(text);
+    Words::each(move |language| texts[language as usize].clone())
 }
 
 /// Dimension of a name with `order` primes.

@@ -18,25 +18,17 @@ pub fn read(matter: &FrontMatter, model: &Model, places: &Places, diagnostics: &
         if value.text.len() <= LONGEST && value.text.chars().all(good) {
             return Some(value.text.clone());
         }
-        let wrong = words!(
-            "the name of an assignment has up to {LONGEST} letters without accents, digits, `-`, `_` and `.`",
-            "el nombre de una tarea tiene hasta {LONGEST} letras sin acentos, cifras, `-`, `_` y `.`"
-        );
+        let wrong =
+            words!("the name of an assignment has up to {LONGEST} letters without accents, digits, `-`, `_` and `.`");
         diagnostics.push(
-            Diagnostic::error("assignment", wrong, value.span)
-                .with_hint(words("such as: assignment: tube-2026", "por ejemplo: assignment: tubo-2026")),
+            Diagnostic::error("assignment", wrong, value.span).with_hint(words("such as: assignment: tube-2026")),
         );
         return None;
     }
     let index = model.assigned_parameters().next()?;
-    let wrong = words!(
-        "`{}` has assigned values, and the assignment has no name",
-        "`{}` tiene valores asignados, y la tarea no tiene nombre",
-        model.parameters[index].name
-    );
+    let wrong = words!("`{}` has assigned values, and the assignment has no name", model.parameters[index].name);
     let hint = words(
         "write a name into the front matter that stays as it is, such as `assignment: tube-2026`: the values depend on it",
-        "escribe en la cabecera un nombre que no cambie, por ejemplo `assignment: tubo-2026`: los valores dependen de él",
     );
     let declared = places.parameters.get(index).copied().unwrap_or_default();
     diagnostics.push(Diagnostic::error("assignment", wrong, declared).with_hint(hint));

@@ -35,20 +35,13 @@ pub fn add(
     };
     let (found, expected) = (x.curve.value.dimension(), plot.x.value.dimension());
     if found != expected {
-        let message = words!(
-            "`{}` cannot share the horizontal axis with `{}`",
-            "`{}` no puede compartir el eje horizontal con `{}`",
-            x.curve.expression,
-            plot.x.expression
-        );
+        let message = words!("`{}` cannot share the horizontal axis with `{}`", x.curve.expression, plot.x.expression);
         let mut diagnostic = dimension_error(message, (x.span, found), (x.span, expected));
         // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-        expressions.diagnostics.push(
-            diagnostic
-                .with_note(words!("the axis is {expected}", "el eje es {expected}", expected = expected))
-                .with_hint(words("make it a plot of its own", "haz con ella otra gráfica")),
-        );
+        expressions
+            .diagnostics
+            .push(diagnostic.with_note(words!("the axis is {expected}")).with_hint(words("make it a plot of its own")));
         return None;
     }
     for curve in curves {

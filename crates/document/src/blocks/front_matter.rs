@@ -130,16 +130,9 @@ fn is_mark(line: &str) -> bool {
 }
 
 fn unclosed(opening: Range<usize>) -> Diagnostic {
-    Diagnostic::error(
-        "front-matter",
-        words("the front matter is not closed", "la cabecera no se cierra"),
-        Span::new(opening.start, opening.end),
-    )
-    .saying(words("begins here", "empieza aquí"))
-    .with_hint(words(
-        "end it with a line that holds `---` and nothing else",
-        "termínala con una línea que contenga solo `---`",
-    ))
+    Diagnostic::error("front-matter", words("the front matter is not closed"), Span::new(opening.start, opening.end))
+        .saying(words("begins here"))
+        .with_hint(words("end it with a line that holds `---` and nothing else"))
 }
 
 /// Parses one `key: value`. `None` if the line has another form.
@@ -164,35 +157,23 @@ pub(crate) fn is_key(text: &str) -> bool {
 fn report(entry: &Entry, given: &mut BTreeMap<&'static str, Span>, diagnostics: &mut Vec<Diagnostic>) {
     let Entry { key: name, key_span, value } = entry;
     let Some(known) = KEYS.into_iter().find(|known| known == name) else {
-        let unknown = Diagnostic::warning(
-            "unknown-key",
-            words!("the front matter has no key `{name}`", "la cabecera no tiene ninguna clave `{name}`"),
-            *key_span,
-        );
+        let unknown = Diagnostic::warning("unknown-key", words!("the front matter has no key `{name}`"), *key_span);
         let begun = || KEYS.into_iter().find(|key| name.len() > 2 && key.starts_with(name.as_str()));
         let plain = units::alphabet::plain(name);
         let other = OTHER_KEYS.iter().find(|(other, _)| *other == plain).map(|(_, key)| *key);
         diagnostics.push(match other.or_else(|| nearest(name, KEYS)).or_else(begun) {
             Some(near) => unknown.meaning(near),
-            None => unknown.with_hint(words!("the keys are {}", "las claves son {}", KEYS.join(", "))),
+            None => unknown.with_hint(words!("the keys are {}", KEYS.join(", "))),
         });
         return;
     };
     if let Some(first) = given.get(known) {
         diagnostics.push(
-            Diagnostic::error(
-                "duplicate-key",
-                words!("`{name}` is given twice", "`{name}` se da dos veces"),
-                *key_span,
-            )
-            .with_label(*first, words("given here first", "se da aquí primero")),
+            Diagnostic::error("duplicate-key", words!("`{name}` is given twice"), *key_span)
+                .with_label(*first, words("given here first")),
         );
     } else if value.text.is_empty() {
-        diagnostics.push(Diagnostic::error(
-            "empty-key",
-            words!("`{name}` has no value", "`{name}` no tiene valor"),
-            *key_span,
-        ));
+        diagnostics.push(Diagnostic::error("empty-key", words!("`{name}` has no value"), *key_span));
     } else {
         given.insert(known, value.span);
     }
@@ -227,7 +208,7 @@ mod tests {
                     [std::slice::from_ref(&d.message), &d.hints]
                         .concat()
                         .iter()
-                        .map(|words| &*words.english)
+                        .map(|words| words.english())
                         .collect::<Vec<_>>()
                         .join("; ")
                 })

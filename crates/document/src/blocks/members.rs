@@ -43,32 +43,26 @@ pub fn values(expressions: &mut Expressions, index: &Index) -> Option<RangeInclu
     let place = Span::new(index.name.start, index.name.end);
     let text = &source[index.name.clone()];
     if expressions.is_taken(text) {
-        let message = words!("`{text}` has a meaning already", "`{text}` ya tiene un significado");
+        let message = words!("`{text}` has a meaning already");
         expressions.diagnostics.push(
-            Diagnostic::error("index-range", message, place)
-                .with_hint(words("choose another name for the index", "elige otro nombre para el índice")),
+            Diagnostic::error("index-range", message, place).with_hint(words("choose another name for the index")),
         );
         return None;
     }
     let ends = trim(source, index.ends.clone());
     let Some(dots) = source[ends.clone()].find("..") else {
-        return refuse(
-            expressions,
-            words("this is no range of an index", "esto no es un intervalo de un índice"),
-            &ends,
-        );
+        return refuse(expressions, words("this is no range of an index"), &ends);
     };
     let name = Name { text: text.to_owned(), span: place };
     let (low, high) = (ends.start..ends.start + dots, ends.start + dots + 2..ends.end);
     let values = expressions.whole_range(name, low, high)?;
     let count = values.end().saturating_sub(*values.start()).saturating_add(1);
     if count < 1 {
-        return refuse(expressions, words("the range is empty", "el intervalo está vacío"), &ends);
+        return refuse(expressions, words("the range is empty"), &ends);
     }
     if count > Members::MOST as i64 {
         let most = Members::MOST;
-        let message =
-            words!("a plot cannot have more than {most} members", "una gráfica no puede tener más de {most} miembros");
+        let message = words!("a plot cannot have more than {most} members");
         return refuse(expressions, message, &ends);
     }
     Some(values)
@@ -76,10 +70,9 @@ pub fn values(expressions: &mut Expressions, index: &Index) -> Option<RangeInclu
 
 fn refuse<T>(expressions: &mut Expressions, message: Words, place: &Range<usize>) -> Option<T> {
     let span = Span::new(place.start, place.end);
-    expressions.diagnostics.push(
-        Diagnostic::error("index-range", message, span)
-            .with_hint(words("write `for i in 1..10`", "escribe `for i in 1..10`")),
-    );
+    expressions
+        .diagnostics
+        .push(Diagnostic::error("index-range", message, span).with_hint(words("write `for i in 1..10`")));
     None
 }
 
@@ -105,8 +98,7 @@ impl Expressions<'_> {
         let (low, high) = (end(low), end(high));
         let span = index.span;
         let Some((low, high)) = low.zip(high) else {
-            let message =
-                words("the values of an index are pure numbers", "los valores de un índice son números puros");
+            let message = words("the values of an index are pure numbers");
             self.error("index-range", message, span);
             return None;
         };
@@ -144,20 +136,12 @@ pub fn read(
         nodes.push(placed.curve.value.node);
         match &shown {
             Some((first, _)) if first.curve.value.dimension() != found.1 => {
-                let message = words!(
-                    "not all members of `{}` have one dimension",
-                    "no todos los miembros de `{}` tienen la misma dimensión",
-                    first.curve.expression
-                );
+                let message = words!("not all members of `{}` have one dimension", first.curve.expression);
                 let expected = first.curve.value.dimension();
                 let mut diagnostic = dimension_error(message, found, (first.span, expected));
                 // Both labels would be at the same place.
                 let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-                expressions.diagnostics.push(diagnostic.with_note(words!(
-                    "the first one is {expected}",
-                    "el primero es {expected}",
-                    expected = expected
-                )));
+                expressions.diagnostics.push(diagnostic.with_note(words!("the first one is {expected}")));
                 return None;
             }
             Some((_, true)) => {}

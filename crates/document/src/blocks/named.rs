@@ -15,8 +15,7 @@ pub fn vary(expressions: &mut Expressions, matter: &FrontMatter) -> Vec<usize> {
         if own.choices == program::Choices::Numbers {
             varied.push(parameter);
         } else {
-            let message =
-                words!("`{}` cannot be varied: it is no number", "`{}` no se puede variar: no es un número", own.name);
+            let message = words!("`{}` cannot be varied: it is no number", own.name);
             expressions.error("vary", message, span);
         }
     }
@@ -29,15 +28,8 @@ pub fn main(expressions: &mut Expressions, matter: &FrontMatter) -> Vec<usize> {
     let mut main = Vec::new();
     for (parameter, span) in names(expressions, matter, "main") {
         if main.len() == Program::MOST_MAIN {
-            let message = words!(
-                "`main` names more than {} parameters",
-                "`main` nombra más de {} parámetros",
-                Program::MOST_MAIN
-            );
-            let hint = words(
-                "keep those that a reader changes first; the page shows the others under *More*",
-                "deja los que se cambian primero; la página muestra los demás en *Más*",
-            );
+            let message = words!("`main` names more than {} parameters", Program::MOST_MAIN);
+            let hint = words("keep those that a reader changes first; the page shows the others under *More*");
             expressions.diagnostics.push(Diagnostic::error("main", message, span).with_hint(hint));
             break;
         }
@@ -64,29 +56,19 @@ fn read(expressions: &mut Expressions, key: &'static str, value: &Value) -> Vec<
         start += piece.len() + 1;
         let span = Span::new(range.start, range.end);
         if range.is_empty() {
-            let message = words!(
-                "`{key}` names parameters, with a comma between them",
-                "`{key}` nombra parámetros separados por comas"
-            );
+            let message = words!("`{key}` names parameters, with a comma between them");
             expressions.error(key, message, value.span);
             continue;
         }
         // Parsed as in the model, so that `ω₀` and `omega_0` are the same name.
         let (expression, unit, found) = model::parse_expression(source, range);
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
-            let message = words!(
-                "`{}` is not the name of a parameter",
-                "`{}` no es el nombre de un parámetro",
-                &source[span.range()]
-            );
+            let message = words!("`{}` is not the name of a parameter", &source[span.range()]);
             expressions.error(key, message, span);
             continue;
         };
         if unit.is_some() || !found.is_empty() {
-            let message = words!(
-                "only names stand in `{key}`; values and units are the model's",
-                "en `{key}` solo van nombres; los valores y las unidades son los del modelo"
-            );
+            let message = words!("only names stand in `{key}`; values and units are the model's");
             expressions.error(key, message, span);
             continue;
         }
@@ -94,11 +76,7 @@ fn read(expressions: &mut Expressions, key: &'static str, value: &Value) -> Vec<
             continue;
         };
         if named.iter().any(|(other, _)| *other == parameter) {
-            let message = words!(
-                "`{}` is named twice",
-                "`{}` se nombra dos veces",
-                expressions.model().parameters[parameter].name
-            );
+            let message = words!("`{}` is named twice", expressions.model().parameters[parameter].name);
             expressions.error("duplicate-name", message, span);
         } else {
             named.push((parameter, span));
@@ -121,7 +99,7 @@ mod tests {
         let said = opened
             .diagnostics
             .iter()
-            .map(|(_, found)| format!("{}: {}", &source[found.span().range()], found.message.english));
+            .map(|(_, found)| format!("{}: {}", &source[found.span().range()], found.message.english()));
         (opened.document.map_or_else(Vec::new, |document| list(document.program)), said.collect())
     }
 

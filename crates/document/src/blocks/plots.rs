@@ -24,14 +24,7 @@ const CURVES: usize = 12;
 pub fn read(expressions: &mut Expressions, range: Range<usize>, until: Option<f64>, plots: &mut Vec<Plot>) {
     for statement in statements(expressions.source, range) {
         if plots.len() == PLOTS {
-            expressions.error(
-                "too-large",
-                words!(
-                    "a document cannot have more than {PLOTS} plots",
-                    "un documento no puede tener más de {PLOTS} gráficas"
-                ),
-                span(&statement),
-            );
+            expressions.error("too-large", words!("a document cannot have more than {PLOTS} plots"), span(&statement));
             return;
         }
         plots.extend(plot(expressions, statement, until));
@@ -45,18 +38,11 @@ fn span(range: &Range<usize>) -> Span {
 fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f64>) -> Option<Plot> {
     let source = expressions.source;
     let malformed = |message: Words, range: &Range<usize>| {
-        curves::malformed(message, range)
-            .with_hint(words("a plot is `\"Title\": y, y' against t`", "una gráfica es `\"Título\": y, y' against t`"))
+        curves::malformed(message, range).with_hint(words("a plot is `\"Title\": y, y' against t`"))
     };
     let title = leading_text(source, statement.clone());
     let Some((title, title_end)) = title.filter(|(title, _)| !title.trim().is_empty()) else {
-        let untitled = malformed(
-            words(
-                "a plot begins with its title in quotation marks",
-                "una gráfica empieza con su título entre comillas",
-            ),
-            &statement,
-        );
+        let untitled = malformed(words("a plot begins with its title in quotation marks"), &statement);
         let what = source[statement.clone()].replace('"', "").split_whitespace().collect::<Vec<_>>().join(" ");
         let before = Span::new(statement.start, statement.start);
         expressions.diagnostics.push(untitled.with_fix(before, format!("\"{what}\": ")));
@@ -64,10 +50,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     };
     let rest = trim(source, title_end..statement.end);
     if !source[rest.clone()].starts_with(':') {
-        expressions.diagnostics.push(malformed(
-            words("a colon must follow the title", "tras el título deben ir dos puntos"),
-            &(statement.start..title_end),
-        ));
+        expressions.diagnostics.push(malformed(words("a colon must follow the title"), &(statement.start..title_end)));
         return None;
     }
     let rest = trim(source, rest.start + 1..rest.end);
@@ -78,11 +61,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
     let mut parts = split(source, rest.start + if points { POINTS.len() } else { 0 }..rest.end, ',');
     let equal = parts.pop_if(|part| is_equal_axes(&source[part.clone()])).is_some();
     if parts.len() > CURVES {
-        expressions.error(
-            "too-large",
-            words!("a plot cannot have more than {CURVES} curves", "una gráfica no puede tener más de {CURVES} curvas"),
-            span(&statement),
-        );
+        expressions.error("too-large", words!("a plot cannot have more than {CURVES} curves"), span(&statement));
         return None;
     }
     let mut kind = sweeps::Kind::Lines;
@@ -115,10 +94,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
             {
                 if part.end != last {
                     expressions.diagnostics.push(malformed(
-                        words(
-                            "a plot over a range of values has one range, after all its curves",
-                            "una gráfica sobre un intervalo de valores tiene un solo intervalo, tras todas sus curvas",
-                        ),
+                        words("a plot over a range of values has one range, after all its curves"),
                         &statement,
                     ));
                     return None;
@@ -135,10 +111,7 @@ fn plot(expressions: &mut Expressions, statement: Range<usize>, until: Option<f6
         }
     }
     if !waiting.is_empty() || plot.is_none() {
-        let unclear = malformed(
-            words("the plot does not say what it is drawn against", "la gráfica no dice frente a qué se dibuja"),
-            &statement,
-        );
+        let unclear = malformed(words("the plot does not say what it is drawn against"), &statement);
         let other = AGAINST.iter().find_map(|word| find_word(source, rest.clone(), word));
         expressions.diagnostics.push(match other {
             Some(word) => unclear.with_fix(span(&word), "against"),
@@ -206,15 +179,11 @@ fn points_of_runs(expressions: &mut Expressions, part: &mut Range<usize>, across
     expressions.diagnostics.push(
         Diagnostic::error(
             "plot-syntax",
-            words(
-                "it is not said at which moments of each run a point is drawn",
-                "no se dice en qué momentos de cada ensayo se dibuja un punto",
-            ),
+            words("it is not said at which moments of each run a point is drawn"),
             span(&trim(source, part.clone())),
         )
         .with_hint(words(
             "name an event and draw at its firings: `every 2*pi/Omega as drive { }` in the model, and `at drive` here",
-            "da nombre a un evento y dibuja cuando ocurre: `every 2*pi/Omega as drive { }` en el modelo, y aquí `at drive`",
         )),
     );
     None
@@ -225,10 +194,10 @@ fn firings(expressions: &mut Expressions, range: Range<usize>) -> Option<NodeId>
     let name = &expressions.source[range.clone()];
     let count = expressions.model().lookup(&format!("{name}.count"), 0).filter(|_| !name.contains('.'));
     if count.is_none() {
-        let message = words!("there is no event `{name}`", "no hay ningún evento `{name}`");
+        let message = words!("there is no event `{name}`");
         let hint = match name.split_once('.') {
-            Some((event, _)) => words!("write its name alone: `at {event}`", "escribe solo su nombre: `at {event}`"),
-            None => words!("name it: when ... as {name} {{ ... }}", "ponle nombre: when ... as {name} {{ ... }}"),
+            Some((event, _)) => words!("write its name alone: `at {event}`"),
+            None => words!("name it: when ... as {name} {{ ... }}"),
         };
         expressions.diagnostics.push(Diagnostic::error("unknown-name", message, span(&range)).with_hint(hint));
     }
@@ -245,13 +214,10 @@ fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every
         expressions.diagnostics.push(
             Diagnostic::error(
                 "plot-syntax",
-                words("it is not said when a point is drawn", "no se dice cuándo se dibuja un punto"),
+                words("it is not said when a point is drawn"),
                 span(&trim(source, part.clone())),
             )
-            .with_hint(words(
-                "write `points y against x every 2 [s]`: a point at each multiple of that",
-                "escribe `points y against x every 2 [s]`: un punto en cada múltiplo",
-            )),
+            .with_hint(words("write `points y against x every 2 [s]`: a point at each multiple of that")),
         );
         return None;
     };
@@ -259,27 +225,20 @@ fn every(expressions: &mut Expressions, part: &mut Range<usize>) -> Option<Every
     let period = word.end..from.as_ref().map_or(part.end, |from| from.start);
     let first = from.map(|from| trim(source, from.end..part.end));
     part.end = word.start;
-    let period = moment(expressions, period, &words("the period", "el período"))?;
+    let period = moment(expressions, period, &words("the period"))?;
     let from = match first {
         Some(range) => {
             let place = span(&range);
-            let first = moment(expressions, range, &words("the first moment", "el primer momento"))?;
+            let first = moment(expressions, range, &words("the first moment"))?;
             let Node::Constant(bits) = expressions.model().graph.node(first) else {
-                expressions.error(
-                    "plot-syntax",
-                    words("the first moment must be a number", "el primer momento debe ser un número"),
-                    place,
-                );
+                expressions.error("plot-syntax", words("the first moment must be a number"), place);
                 return None;
             };
             let from = f64::from_bits(bits);
             if !(from.is_finite() && from >= 0.0) {
                 expressions.error(
                     "plot-syntax",
-                    words(
-                        "the first moment must not lie before 0, where the run begins",
-                        "el primer momento no puede estar antes de 0, donde empieza la simulación",
-                    ),
+                    words("the first moment must not lie before 0, where the run begins"),
                     place,
                 );
                 return None;
@@ -296,15 +255,11 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, what: &Words) -> O
     let placed = expressions.constant(range, what)?;
     let (found, expected) = (placed.value.dimension(), expressions.model().independent.unit.dimension);
     if found != expected {
-        let message = words!("{what} has the wrong dimension", "{what} tiene una dimensión incorrecta", what = what);
+        let message = words!("{what} has the wrong dimension");
         let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
         // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-        expressions.diagnostics.push(diagnostic.with_note(words!(
-            "it must be {expected}",
-            "debe ser {expected}",
-            expected = expected
-        )));
+        expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
         return None;
     }
     Some(placed.value.node)
@@ -324,10 +279,7 @@ fn changing(expressions: &mut Expressions, x: Placed) -> Option<Placed> {
     let name = &x.curve.expression;
     let diagnostic = Diagnostic::error(
         "constant-abscissa",
-        words!(
-            "`{name}` stays the same during a run, so nothing can be drawn against it",
-            "`{name}` no cambia durante la simulación: no se puede dibujar nada frente a eso"
-        ),
+        words!("`{name}` stays the same during a run, so nothing can be drawn against it"),
         x.span,
     );
     let model = expressions.model();
@@ -338,16 +290,12 @@ fn changing(expressions: &mut Expressions, x: Placed) -> Option<Placed> {
             let (low, high) =
                 parameter.range.map_or((1.0, 10.0), |(low, high)| (unit.from_si(low), unit.from_si(high)));
             let stated = if unit.text.is_empty() { String::new() } else { format!(" [{unit}]") };
-            words!(
-                "for a curve over its values write them: `against {name} in {low}..{high}{stated}`",
-                "para una curva sobre sus valores, escríbelos: `against {name} in {low}..{high}{stated}`"
-            )
+            words!("for a curve over its values write them: `against {name} in {low}..{high}{stated}`")
         }
         None => {
             let time = &model.independent.name;
             words!(
-                "draw against `{time}`, against something that changes with it, or over the values of a parameter: `in LOW..HIGH`",
-                "dibuja frente a `{time}`, frente a algo que cambie con ella o sobre los valores de un parámetro: `in LOW..HIGH`"
+                "draw against `{time}`, against something that changes with it, or over the values of a parameter: `in LOW..HIGH`"
             )
         }
     };

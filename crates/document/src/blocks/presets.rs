@@ -22,25 +22,14 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, presets: &mut Ve
             match leading_text(source, rest.clone()).filter(|(_, end)| *end == rest.end) {
                 Some((name, _)) => group = Some(name.to_owned()).filter(|name| !name.trim().is_empty()),
                 None => expressions.diagnostics.push(
-                    Diagnostic::error(
-                        "preset-syntax",
-                        words("a group is named in quotation marks", "el nombre de un grupo va entre comillas"),
-                        span,
-                    )
-                    .with_hint(words("write `group \"Liquid\"`", "escribe `group \"Líquido\"`")),
+                    Diagnostic::error("preset-syntax", words("a group is named in quotation marks"), span)
+                        .with_hint(words("write `group \"Liquid\"`")),
                 ),
             }
             continue;
         }
         if presets.len() == PRESETS {
-            expressions.error(
-                "too-large",
-                words!(
-                    "a document cannot have more than {PRESETS} presets",
-                    "un documento no puede tener más de {PRESETS} grupos de valores predefinidos"
-                ),
-                span,
-            );
+            expressions.error("too-large", words!("a document cannot have more than {PRESETS} presets"), span);
             return;
         }
         presets.extend(preset(expressions, statement, &group));
@@ -59,16 +48,10 @@ fn preset(expressions: &mut Expressions, statement: Range<usize>, group: &Option
         expressions.diagnostics.push(
             Diagnostic::error(
                 "preset-syntax",
-                words(
-                    "a preset is a name in quotation marks, a colon and values",
-                    "unos valores predefinidos son un nombre entre comillas, dos puntos y valores",
-                ),
+                words("a preset is a name in quotation marks, a colon and values"),
                 span,
             )
-            .with_hint(words(
-                "write `\"Mercury\": rho = 13534 [kg/m^3]`",
-                "escribe `\"Mercurio\": rho = 13534 [kg/m^3]`",
-            )),
+            .with_hint(words("write `\"Mercury\": rho = 13534 [kg/m^3]`")),
         );
         return None;
     };

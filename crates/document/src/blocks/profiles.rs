@@ -28,11 +28,11 @@ pub fn read(
     let x = members::read(expressions, across, &index, values.clone())?;
     if several && x.nodes.windows(2).all(|pair| pair[0] == pair[1]) {
         let name = &x.curve.curve.expression;
-        let message = words!("`{name}` is the same for all members", "`{name}` es lo mismo para todos los miembros");
-        expressions.diagnostics.push(Diagnostic::error("constant-abscissa", message, x.curve.span).with_hint(words(
-            "a curve for each member along the run is written `x[1], x[2] against t`",
-            "una curva por cada miembro a lo largo de la simulación se escribe `x[1], x[2] against t`",
-        )));
+        let message = words!("`{name}` is the same for all members");
+        expressions.diagnostics.push(
+            Diagnostic::error("constant-abscissa", message, x.curve.span)
+                .with_hint(words("a curve for each member along the run is written `x[1], x[2] against t`")),
+        );
         return None;
     }
     let mut curves = Vec::new();
@@ -49,12 +49,10 @@ pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>
     let source = expressions.source;
     let is_one = split(source, range.clone(), ',').len() == 1 && find_word(source, range.clone(), "against").is_none();
     if !is_one {
-        let message =
-            words("a histogram counts the values of one quantity", "un histograma cuenta los valores de una magnitud");
-        expressions.diagnostics.push(malformed(message, &range).with_hint(words(
-            "write `histogram v[i] for i in 1..N` or `histogram x`",
-            "escribe `histogram v[i] for i in 1..N` o `histogram x`",
-        )));
+        let message = words("a histogram counts the values of one quantity");
+        expressions
+            .diagnostics
+            .push(malformed(message, &range).with_hint(words("write `histogram v[i] for i in 1..N` or `histogram x`")));
         return None;
     }
     let (curve, nodes) = match members::find(source, range.clone()) {
@@ -66,11 +64,7 @@ pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>
         None => (curves::read(expressions, range)?, Vec::new()),
     };
     if nodes.is_empty() && !expressions.model().depends(curve.curve.value.node).varies() {
-        let message = words!(
-            "`{}` stays the same during a run, so there is nothing to count",
-            "`{}` no cambia durante la simulación: no hay nada que contar",
-            curve.curve.expression
-        );
+        let message = words!("`{}` stays the same during a run, so there is nothing to count", curve.curve.expression);
         expressions.error("constant-abscissa", message, curve.span);
         return None;
     }
@@ -81,11 +75,8 @@ pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>
 /// Reports a plot that mixes curves at one moment with other curves.
 pub fn refuse_mixture(expressions: &mut Expressions, statement: &Range<usize>) {
     let span = Span::new(statement.start, statement.end);
-    let message = words(
-        "curves over members and curves along the run cannot share a plot",
-        "las curvas sobre miembros y las curvas a lo largo de la simulación no pueden compartir una gráfica",
-    );
-    expressions.diagnostics.push(
-        Diagnostic::error("plot-syntax", message, span).with_hint(words("make them two plots", "haz dos gráficas")),
-    );
+    let message = words("curves over members and curves along the run cannot share a plot");
+    expressions
+        .diagnostics
+        .push(Diagnostic::error("plot-syntax", message, span).with_hint(words("make them two plots")));
 }

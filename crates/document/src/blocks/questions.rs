@@ -19,14 +19,8 @@ const KEYS: [&str; 6] = ["after", "set", "hide", "answer", "hint", "explanation"
 /// Tolerances `within 2 %` and `within 0.1 [s]`.
 const TOLERANCE: tolerances::Form = tolerances::Form {
     code: "question-syntax",
-    other_dimension: words(
-        "the tolerance and the answer have different dimensions",
-        "la tolerancia y la respuesta tienen dimensiones distintas",
-    ),
-    hint: words(
-        "write `within 2 %` or, say, `within 0.1 [s]`",
-        "escribe `within 2 %` o, por ejemplo, `within 0.1 [s]`",
-    ),
+    other_dimension: words("the tolerance and the answer have different dimensions"),
+    hint: words("write `within 2 %` or, say, `within 0.1 [s]`"),
     bare_is_fraction: false,
 };
 
@@ -72,11 +66,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
         }
         if question.field(key).is_some() {
             let span = Span::new(line.start, line.start + key.len());
-            diagnostics.push(Diagnostic::error(
-                "duplicate-key",
-                words!("the question has two `{key}:`", "la pregunta tiene dos `{key}:`"),
-                span,
-            ));
+            diagnostics.push(Diagnostic::error("duplicate-key", words!("the question has two `{key}:`"), span));
         }
         question.fields.push((key, line.start + key.len() + 1..range.end));
     }
@@ -115,15 +105,8 @@ pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
         if matches!(*key, "after" | "answer" | "set" | "hide") {
             let span = Span::new(range.start - key.len() - 1, range.end);
             diagnostics.push(
-                Diagnostic::warning(
-                    "translation",
-                    words!("`{key}:` in a translation means nothing", "`{key}:` no significa nada en una traducción"),
-                    span,
-                )
-                .with_hint(words(
-                    "the original says it; a translation has the words only",
-                    "lo dice el original; una traducción solo tiene los textos",
-                )),
+                Diagnostic::warning("translation", words!("`{key}:` in a translation means nothing"), span)
+                    .with_hint(words("the original says it; a translation has the words only")),
             );
         }
     }
@@ -137,19 +120,11 @@ pub fn untranslated(texts: &mut Vec<QuestionText>, originals: &[QuestionText], p
         let is_whole = *text == QuestionText::default();
         if text.prompt.is_empty() && !original.prompt.is_empty() {
             text.prompt.clone_from(&original.prompt);
-            missing.push(words!("question {number}", "la pregunta {number}"));
+            missing.push(words!("question {number}"));
         }
         let parts = [
-            (
-                &mut text.hint,
-                &original.hint,
-                words!("the hint of question {number}", "la pista de la pregunta {number}"),
-            ),
-            (
-                &mut text.explanation,
-                &original.explanation,
-                words!("the explanation of question {number}", "la explicación de la pregunta {number}"),
-            ),
+            (&mut text.hint, &original.hint, words!("the hint of question {number}")),
+            (&mut text.explanation, &original.explanation, words!("the explanation of question {number}")),
         ];
         for (part, original, name) in parts {
             if part.as_ref().is_none_or(String::is_empty) && original.is_some() {
@@ -160,19 +135,14 @@ pub fn untranslated(texts: &mut Vec<QuestionText>, originals: &[QuestionText], p
     }
     let message = match missing.as_slice() {
         [] => return None,
-        [one] => words!("{one} has no translation", "{one} no tiene traducción", one = one),
+        [one] => words!("{one} has no translation"),
         several => {
             let number = several.len();
-            words!(
-                "{number} texts of questions have no translation",
-                "{number} textos de preguntas no tienen traducción"
-            )
+            words!("{number} texts of questions have no translation")
         }
     };
-    let warning = Diagnostic::warning("untranslated", message, place).with_hint(words(
-        "until they are translated, readers see the original",
-        "mientras no se traduzcan, se muestra el original",
-    ));
+    let warning = Diagnostic::warning("untranslated", message, place)
+        .with_hint(words("until they are translated, readers see the original"));
     Some(if missing.len() > 1 { missing.into_iter().fold(warning, Diagnostic::with_note) } else { warning })
 }
 
@@ -183,15 +153,8 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     let span = Span::new(raw.place.start, raw.place.end);
     let Some(answer) = raw.field("answer") else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "question-syntax",
-                words("the question has no answer", "la pregunta no tiene respuesta"),
-                span,
-            )
-            .with_hint(words(
-                "add a line such as `answer: 2*pi/omega_d in [s] within 2 %`",
-                "añade una línea como `answer: 2*pi/omega_d in [s] within 2 %`",
-            )),
+            Diagnostic::error("question-syntax", words("the question has no answer"), span)
+                .with_hint(words("add a line such as `answer: 2*pi/omega_d in [s] within 2 %`")),
         );
         return None;
     };
@@ -203,18 +166,15 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
         expressions.diagnostics.push(
             Diagnostic::error(
                 "question-syntax",
-                words("how exact must the answer be?", "¿qué exactitud debe tener la respuesta?"),
+                words("how exact must the answer be?"),
                 Span::new(answer.start, answer.end),
             )
-            .with_hint(words(
-                "end it with `within 2 %` or, say, `within 0.1 [s]`",
-                "termínala con `within 2 %` o, por ejemplo, `within 0.1 [s]`",
-            ))
+            .with_hint(words("end it with `within 2 %` or, say, `within 0.1 [s]`"))
             .with_fix(Span::new(answer.end, answer.end), " within 2 %"),
         );
         return None;
     };
-    let answer_value = expressions.constant(answer.start..within.start, &words("an answer", "una respuesta"))?;
+    let answer_value = expressions.constant(answer.start..within.start, &words("an answer"))?;
     let tolerance = tolerances::read(expressions, trim(source, within.end..answer.end), &answer_value, &TOLERANCE)?;
     let answer = answer_value.value;
     Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
@@ -236,20 +196,13 @@ fn questions_before(expressions: &mut Expressions, range: Range<usize>, earlier:
             Some(question) => questions.extend(question.filter(|question| !questions.contains(question))),
             None => {
                 let span = Span::new(range.start, range.end);
-                let message = words!(
-                    "there is no question `{text}` before this one",
-                    "no hay ninguna pregunta `{text}` antes de esta"
-                );
+                let message = words!("there is no question `{text}` before this one");
                 let diagnostic = Diagnostic::error("question-syntax", message, span);
                 expressions.diagnostics.push(match earlier.len() {
-                    0 => diagnostic.with_hint(words(
-                        "this is the first question: leave the line out",
-                        "esta es la primera pregunta: quita la línea",
-                    )),
+                    0 => diagnostic.with_hint(words("this is the first question: leave the line out")),
                     _ => diagnostic
                         .with_hint(words(
                             "write `previous`, or numbers of questions before this one, such as `after: 1, 2`",
-                            "escribe `previous`, o números de preguntas anteriores a esta, como `after: 1, 2`",
                         ))
                         .with_fix(span, "previous"),
                 });
@@ -271,29 +224,23 @@ fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
         // Parsed as in the model, so that `ω₀` and `omega_0` are the same name.
         let (expression, unit, found) = model::parse_expression(source, range);
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
-            let message = words(
-                "`hide:` names quantities, with a comma between them",
-                "`hide:` nombra magnitudes, separadas por comas",
-            );
+            let message = words("`hide:` names quantities, with a comma between them");
             expressions.error("question-syntax", message, span);
             continue;
         };
         let named = &expressions.model().quantities;
         let Some(quantity) = named.iter().position(|quantity| quantity.name == name) else {
             let near = units::nearest(&name, named.iter().map(|quantity| quantity.name.as_str())).map(str::to_owned);
-            let message = words!("`{name}` is not a quantity of the model", "`{name}` no es una magnitud del modelo");
+            let message = words!("`{name}` is not a quantity of the model");
             let diagnostic = Diagnostic::error("unknown-name", message, span);
             expressions.diagnostics.push(match near {
                 Some(near) => diagnostic.meaning(&near),
-                None => diagnostic.with_hint(words(
-                    "only quantities, `name = expression`, can be hidden",
-                    "solo se pueden ocultar magnitudes, `nombre = expresión`",
-                )),
+                None => diagnostic.with_hint(words("only quantities, `name = expression`, can be hidden")),
             });
             continue;
         };
         if unit.is_some() || !found.is_empty() {
-            let message = words("only names stand in `hide:`", "en `hide:` solo hay nombres");
+            let message = words("only names stand in `hide:`");
             expressions.error("question-syntax", message, span);
         } else if !quantities.contains(&quantity) {
             quantities.push(quantity);

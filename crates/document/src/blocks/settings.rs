@@ -58,26 +58,16 @@ pub fn read(matter: &FrontMatter, model: &Model, diagnostics: &mut Vec<Diagnosti
 fn refuse_steps(matter: &FrontMatter, independent: &str, diagnostics: &mut Vec<Diagnostic>) {
     for key in ["method", "step", "tolerance"] {
         let Some(value) = matter.get(key) else { continue };
-        let message = words!(
-            "`{key}` has no meaning here: `{independent}` counts by 1",
-            "`{key}` no tiene sentido aquí: `{independent}` cuenta por 1"
-        );
+        let message = words!("`{key}` has no meaning here: `{independent}` counts by 1");
         let diagnostic = Diagnostic::error("setting", message, value.span);
-        diagnostics.push(diagnostic.with_hint(words!("leave the line `{key}` out", "omite la línea `{key}`")));
+        diagnostics.push(diagnostic.with_hint(words!("leave the line `{key}` out")));
     }
 }
 
 /// Error for an invalid language tag.
 pub fn no_language(language: &Value) -> Diagnostic {
-    Diagnostic::error(
-        "language",
-        words!("`{}` is not a language", "`{}` no es un idioma", language.text),
-        language.span,
-    )
-    .with_hint(words(
-        "write its code, such as `en`, `es` or `pt-BR`",
-        "escribe su código, por ejemplo `en`, `es` o `pt-BR`",
-    ))
+    Diagnostic::error("language", words!("`{}` is not a language", language.text), language.span)
+        .with_hint(words("write its code, such as `en`, `es` or `pt-BR`"))
 }
 
 /// True if a text can be a language tag (BCP 47, roughly).
@@ -98,15 +88,8 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
         return Some(tolerance);
     }
     diagnostics.push(
-        Diagnostic::error(
-            "setting",
-            words("the tolerance is too large", "la tolerancia es demasiado grande"),
-            value.span,
-        )
-        .with_hint(words(
-            "it is relative; `1e-8` is usual and 0.1 the greatest",
-            "es relativa; lo habitual es `1e-8` y la mayor es 0,1",
-        )),
+        Diagnostic::error("setting", words("the tolerance is too large"), value.span)
+            .with_hint(words("it is relative; `1e-8` is usual and 0.1 the greatest")),
     );
     None
 }
@@ -119,12 +102,8 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
     };
     let malformed = || {
         let example = if unit.text.is_empty() { format!("{key}: 1e-8") } else { format!("{key}: 0.05 [{unit}]") };
-        Diagnostic::error(
-            "setting",
-            words!("`{key}` must be a positive number", "`{key}` debe ser un número positivo"),
-            value.span,
-        )
-        .with_hint(words!("write `{example}`", "escribe `{example}`"))
+        Diagnostic::error("setting", words!("`{key}` must be a positive number"), value.span)
+            .with_hint(words!("write `{example}`"))
     };
     let number: Option<f64> = number.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0);
     let (Some(number), Some(stated)) = (number, stated) else {
@@ -150,13 +129,9 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
 }
 
 fn mismatch(key: &str, span: Span, found: Dimension, expected: Dimension) -> Diagnostic {
-    let mut diagnostic = dimension_error(
-        words!("`{key}` has the wrong dimension", "`{key}` tiene una dimensión incorrecta"),
-        (span, found),
-        (span, expected),
-    );
+    let mut diagnostic = dimension_error(words!("`{key}` has the wrong dimension"), (span, found), (span, expected));
     // Both labels would be at the same place.
     let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-    diagnostic = diagnostic.with_note(words!("it must be {expected}", "debe ser {expected}", expected = expected));
+    diagnostic = diagnostic.with_note(words!("it must be {expected}"));
     diagnostic
 }

@@ -43,10 +43,7 @@ pub fn read(outline: &Outline, diagnostics: &mut Vec<Diagnostic>) -> Vec<Option<
         let span = Span::new(line.start, line.end);
         if items.len() == SurveyItem::MOST {
             let most = SurveyItem::MOST;
-            let message = words!(
-                "a survey cannot have more than {most} items",
-                "una encuesta no puede tener más de {most} elementos"
-            );
+            let message = words!("a survey cannot have more than {most} items");
             diagnostics.push(Diagnostic::error("too-large", message, span));
             break;
         }
@@ -87,20 +84,12 @@ pub fn kept(
 
 fn clash(raw: &RawItem, first: &RawItem) -> Diagnostic {
     let (message, hint) = if raw.item.kind == SurveyKind::Role {
-        (
-            words("a survey asks for the role once", "una encuesta pregunta por el papel una sola vez"),
-            words("make it a `choice`, or remove it", "conviértelo en `choice`, o quítalo"),
-        )
+        (words("a survey asks for the role once"), words("make it a `choice`, or remove it"))
     } else {
         let asked = &raw.text.asked;
-        (
-            words!("the survey asks \"{asked}\" twice", "la encuesta pregunta «{asked}» dos veces"),
-            words("change the text, or remove it", "cambia el texto, o quítalo"),
-        )
+        (words!("the survey asks \"{asked}\" twice"), words("change the text, or remove it"))
     };
-    Diagnostic::error("survey-syntax", message, raw.span)
-        .with_label(first.span, words("here first", "aquí primero"))
-        .with_hint(hint)
+    Diagnostic::error("survey-syntax", message, raw.span).with_label(first.span, words("here first")).with_hint(hint)
 }
 
 /// Texts of the survey in a translation. `numbers`: index in the document of each item as written in the original.
@@ -117,14 +106,10 @@ pub fn translated(
     for (place, raw) in written.into_iter().enumerate() {
         let Some(raw) = raw else { continue };
         let Some(number) = numbers.get(place) else {
-            let message = words!(
-                "the survey of the original has {} items only",
-                "la encuesta del original solo tiene {} elementos",
-                numbers.len()
-            );
+            let message = words!("the survey of the original has {} items only", numbers.len());
             diagnostics.push(
                 Diagnostic::error("translation", message, raw.span)
-                    .with_hint(words("remove it, or add it to the original", "quítalo, o añádelo al original")),
+                    .with_hint(words("remove it, or add it to the original")),
             );
             continue;
         };
@@ -137,16 +122,13 @@ pub fn translated(
     }
     if missing > 0 {
         let message = match missing {
-            1 => words("an item of the survey has no translation", "un elemento de la encuesta no tiene traducción"),
-            _ => words!(
-                "{missing} items of the survey have no translation",
-                "{missing} elementos de la encuesta no tienen traducción"
-            ),
+            1 => words("an item of the survey has no translation"),
+            _ => words!("{missing} items of the survey have no translation"),
         };
-        diagnostics.push(Diagnostic::warning("untranslated", message, place).with_hint(words(
-            "add a block `survey` with the same items in the same order",
-            "añade un bloque `survey` con los mismos elementos en el mismo orden",
-        )));
+        diagnostics.push(
+            Diagnostic::warning("untranslated", message, place)
+                .with_hint(words("add a block `survey` with the same items in the same order")),
+        );
     }
     texts
 }
@@ -156,23 +138,14 @@ fn other_item(raw: &RawItem, item: SurveyItem, number: usize) -> Diagnostic {
     let SurveyItem { kind, answers } = item;
     let kind_word = kind.word();
     let message = match kind {
-        SurveyKind::Text => words!(
-            "item {number} of the original is a `{kind_word}`",
-            "el elemento {number} del original es un `{kind_word}`"
-        ),
-        SurveyKind::Scale => words!(
-            "item {number} of the original is a `{kind_word}` of {answers} steps",
-            "el elemento {number} del original es un `{kind_word}` de {answers} pasos"
-        ),
-        SurveyKind::Role | SurveyKind::Choice => words!(
-            "item {number} of the original is a `{kind_word}` with {answers} alternatives",
-            "el elemento {number} del original es un `{kind_word}` con {answers} alternativas"
-        ),
+        SurveyKind::Text => words!("item {number} of the original is a `{kind_word}`"),
+        SurveyKind::Scale => words!("item {number} of the original is a `{kind_word}` of {answers} steps"),
+        SurveyKind::Role | SurveyKind::Choice => {
+            words!("item {number} of the original is a `{kind_word}` with {answers} alternatives")
+        }
     };
-    Diagnostic::error("translation", message, raw.span).with_hint(words(
-        "the items stand in the order of the original and have its kinds and numbers",
-        "los elementos van en el orden del original y tienen sus tipos y números",
-    ))
+    Diagnostic::error("translation", message, raw.span)
+        .with_hint(words("the items stand in the order of the original and have its kinds and numbers"))
 }
 
 /// Reads one item.
@@ -184,22 +157,21 @@ fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
         return Err(Box::new(unknown(word, Span::new(line.start, line.start + length), span)));
     };
     let rest = trim(source, line.start + length..line.end);
-    let (asked, end) = quoted(source, rest.clone())
-        .ok_or_else(|| fault(words!("the `{word}` has no text", "el `{word}` no tiene texto"), span, kind))?;
+    let (asked, end) =
+        quoted(source, rest.clone()).ok_or_else(|| fault(words!("the `{word}` has no text"), span, kind))?;
     let rest = trim(source, end..rest.end);
     let behind = source[rest.clone()].strip_prefix(':').map(|_| trim(source, rest.start + 1..rest.end));
     let text = |words: Vec<String>| SurveyText { asked: asked.to_owned(), words };
     let (answers, text) = match (kind, behind) {
         (SurveyKind::Text, _) if rest.is_empty() => (0, text(Vec::new())),
         (SurveyKind::Text, _) => {
-            let message =
-                words("nothing stands behind the text of a `text`", "detrás del texto de un `text` no hay nada");
+            let message = words("nothing stands behind the text of a `text`");
             return Err(fault(message, Span::new(rest.start, rest.end), kind));
         }
         (_, None) => {
             let message = match kind {
-                SurveyKind::Scale => words("the scale has no steps", "la escala no tiene pasos"),
-                _ => words!("the `{word}` has no alternatives", "el `{word}` no tiene alternativas"),
+                SurveyKind::Scale => words("the scale has no steps"),
+                _ => words!("the `{word}` has no alternatives"),
             };
             return Err(fault(message, span, kind));
         }
@@ -214,10 +186,7 @@ fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
     };
     let longest = SurveyItem::LONGEST;
     if std::iter::once(&text.asked).chain(&text.words).any(|text| text.chars().count() > longest) {
-        let message = words!(
-            "a text of a survey has at most {longest} characters",
-            "un texto de una encuesta tiene como máximo {longest} caracteres"
-        );
+        let message = words!("a text of a survey has at most {longest} characters");
         return Err(Box::new(Diagnostic::error("too-large", message, span)));
     }
     Ok(RawItem { span, item: SurveyItem { kind, answers }, text })
@@ -233,10 +202,7 @@ fn quoted(source: &str, range: Range<usize>) -> Option<(&str, usize)> {
 fn steps(source: &str, range: Range<usize>) -> Result<(usize, Vec<String>), Box<Diagnostic>> {
     let span = Span::new(range.start, range.end);
     let unreadable = || {
-        let message = words(
-            "a scale is a number of steps and the words at both ends",
-            "una escala es un número de pasos y las palabras en ambos extremos",
-        );
+        let message = words("a scale is a number of steps and the words at both ends");
         fault(message, span, SurveyKind::Scale)
     };
     let after = |range: Range<usize>, word: &str| {
@@ -254,7 +220,7 @@ fn steps(source: &str, range: Range<usize>) -> Result<(usize, Vec<String>), Box<
     }
     let most = SurveyItem::MOST_STEPS;
     let Some(steps) = steps.filter(|steps| (2..=most).contains(steps)) else {
-        let message = words!("a scale has 2 to {most} steps", "una escala tiene de 2 a {most} pasos");
+        let message = words!("a scale has 2 to {most} steps");
         return Err(fault(message, number, SurveyKind::Scale));
     };
     Ok((steps, vec![low.to_owned(), high.to_owned()]))
@@ -267,23 +233,20 @@ fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<V
         let part = trim(source, part);
         let span = Span::new(part.start, part.end);
         let Some((text, _)) = quoted(source, part.clone()).filter(|(_, end)| *end == part.end) else {
-            let message =
-                words("an alternative is a text in quotation marks", "una alternativa es un texto entre comillas");
+            let message = words("an alternative is a text in quotation marks");
             return Err(fault(message, span, kind));
         };
         if found.iter().any(|other| other == text) {
-            let message =
-                words!("the alternative \"{text}\" is written twice", "la alternativa «{text}» está escrita dos veces");
+            let message = words!("the alternative \"{text}\" is written twice");
             return Err(Box::new(
-                Diagnostic::error("survey-syntax", message, span)
-                    .with_hint(words("remove one of the two", "quita una de las dos")),
+                Diagnostic::error("survey-syntax", message, span).with_hint(words("remove one of the two")),
             ));
         }
         found.push(text.to_owned());
     }
     let most = SurveyItem::MOST_ALTERNATIVES;
     if !(2..=most).contains(&found.len()) {
-        let message = words!("there must be 2 to {most} alternatives", "debe haber de 2 a {most} alternativas");
+        let message = words!("there must be 2 to {most} alternatives");
         return Err(fault(message, Span::new(range.start, range.end), kind));
     }
     Ok(found)
@@ -292,19 +255,10 @@ fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<V
 /// An error with an example of such an item.
 fn fault(message: Words, span: Span, kind: SurveyKind) -> Box<Diagnostic> {
     let hint = match kind {
-        SurveyKind::Role => words(
-            "write `role \"You are a\": \"student\", \"teacher\"`",
-            "escribe `role \"Eres\": \"estudiante\", \"docente\"`",
-        ),
-        SurveyKind::Scale => words(
-            "write `scale \"It was clear\": 5 steps from \"disagree\" to \"agree\"`",
-            "escribe `scale \"Fue claro\": 5 steps from \"en desacuerdo\" to \"de acuerdo\"`",
-        ),
-        SurveyKind::Choice => words(
-            "write `choice \"What helped most?\": \"drawing\", \"plots\"`",
-            "escribe `choice \"¿Qué ayudó más?\": \"dibujo\", \"gráficas\"`",
-        ),
-        SurveyKind::Text => words("write `text \"What would you change?\"`", "escribe `text \"¿Qué cambiarías?\"`"),
+        SurveyKind::Role => words("write `role \"You are a\": \"student\", \"teacher\"`"),
+        SurveyKind::Scale => words("write `scale \"It was clear\": 5 steps from \"disagree\" to \"agree\"`"),
+        SurveyKind::Choice => words("write `choice \"What helped most?\": \"drawing\", \"plots\"`"),
+        SurveyKind::Text => words("write `text \"What would you change?\"`"),
     };
     Box::new(Diagnostic::error("survey-syntax", message, span).with_hint(hint))
 }
@@ -312,9 +266,9 @@ fn fault(message: Words, span: Span, kind: SurveyKind) -> Box<Diagnostic> {
 /// Error for an item that begins with another word, with the word that is meant as a remedy.
 fn unknown(word: &str, place: Span, line: Span) -> Diagnostic {
     let message = if word.is_empty() {
-        words("an item of a survey begins with its kind", "un elemento de una encuesta empieza por su tipo")
+        words("an item of a survey begins with its kind")
     } else {
-        words!("a survey has no `{word}`", "una encuesta no tiene `{word}`")
+        words!("a survey has no `{word}`")
     };
     let at = if word.is_empty() { line } else { place };
     let diagnostic = Diagnostic::error("survey-syntax", message, at);
@@ -322,9 +276,6 @@ fn unknown(word: &str, place: Span, line: Span) -> Diagnostic {
     let other = OTHER_WORDS.iter().find(|(other, _)| *other == plain).map(|(_, kind)| kind.word());
     match other.or_else(|| nearest(word, SurveyKind::ALL.map(SurveyKind::word))) {
         Some(meant) => diagnostic.meaning(meant),
-        None => diagnostic.with_hint(words(
-            "the kinds are `role`, `scale`, `choice` and `text`",
-            "los tipos son `role`, `scale`, `choice` y `text`",
-        )),
+        None => diagnostic.with_hint(words("the kinds are `role`, `scale`, `choice` and `text`")),
     }
 }

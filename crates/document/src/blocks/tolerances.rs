@@ -51,7 +51,7 @@ pub fn read(expressions: &mut Expressions, range: Range<usize>, value: &Placed, 
     };
     let tolerance = tolerance.filter(is_sensible);
     if tolerance.is_none() {
-        let wrong = words("a tolerance is a positive number", "una tolerancia es un número positivo");
+        let wrong = words("a tolerance is a positive number");
         expressions.diagnostics.push(Diagnostic::error(form.code, wrong, span).with_hint(form.hint.clone()));
     }
     tolerance

@@ -58,13 +58,10 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> 
         expressions.diagnostics.push(
             Diagnostic::error(
                 "check-syntax",
-                words("the claim does not say when it holds", "la afirmación no dice cuándo se cumple"),
+                words("the claim does not say when it holds"),
                 Span::new(range.start, range.end),
             )
-            .with_hint(words(
-                "end it with `always`, with `at end` or with a time such as `at 5 [s]`",
-                "termínala con `always`, con `at end` o con un instante, por ejemplo `at 5 [s]`",
-            )),
+            .with_hint(words("end it with `always`, with `at end` or with a time such as `at 5 [s]`")),
         );
         return None;
     };
@@ -72,23 +69,19 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> 
     if &source[when.clone()] == "end" {
         return Some((before(at.start), Moment::End));
     }
-    let time = expressions.constant(when, &words("the moment of a claim", "el instante de una afirmación"))?;
+    let time = expressions.constant(when, &words("the moment of a claim"))?;
     let independent = expressions.model().independent.unit.clone();
     if time.value.dimension() != independent.dimension {
-        let message = words("this is not a moment of the run", "esto no es un instante de la simulación");
+        let message = words("this is not a moment of the run");
         let expected = (time.span, independent.dimension);
         let mut diagnostic = dimension_error(message, (time.span, time.value.dimension()), expected);
         // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map_or_else(|| Words::same(""), |label| label.text);
-        expressions.diagnostics.push(diagnostic.with_note(words!(
-            "it must be {expected}",
-            "debe ser {expected}",
-            expected = expected
-        )));
+        expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
         return None;
     }
     if expressions.model().graph.as_constant(time.value.node).is_some_and(|time| !(time >= 0.0 && time.is_finite())) {
-        let message = words("the run begins at 0", "la simulación empieza en 0");
+        let message = words("the run begins at 0");
         expressions.error("check-syntax", message, time.span);
         return None;
     }
@@ -101,12 +94,8 @@ fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>
     let rest = within.end..range.end;
     let Some(of) = first_word(source, rest, "of") else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "check-syntax",
-                words("within this of what?", "¿con esta tolerancia respecto a qué?"),
-                Span::new(within.start, range.end),
-            )
-            .with_hint(words("write `E within 1 % of E(0) always`", "escribe `E within 1 % of E(0) always`")),
+            Diagnostic::error("check-syntax", words("within this of what?"), Span::new(within.start, range.end))
+                .with_hint(words("write `E within 1 % of E(0) always`")),
         );
         return None;
     };
@@ -116,10 +105,7 @@ fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>
     let zero = expressions.model().graph.as_constant(expected.value.node) == Some(0.0);
     let bare_zero = zero && expected.value.dimension().is_none();
     if value.value.dimension() != expected.value.dimension() && !bare_zero {
-        let message = words(
-            "the value and what it should be have different dimensions",
-            "el valor y lo que debería ser tienen dimensiones distintas",
-        );
+        let message = words("the value and what it should be have different dimensions");
         let found = (value.span, value.value.dimension());
         expressions.diagnostics.push(dimension_error(message, found, (expected.span, expected.value.dimension())));
         return None;
@@ -150,16 +136,10 @@ fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Tes
         expressions.diagnostics.push(
             Diagnostic::error(
                 "check-syntax",
-                words(
-                    "by how much may halving the step change it?",
-                    "¿cuánto puede cambiarlo reducir el paso a la mitad?",
-                ),
+                words("by how much may halving the step change it?"),
                 Span::new(range.start, range.end),
             )
-            .with_hint(words(
-                "write `halving the step changes y by less than 0.1 %`",
-                "escribe `halving the step changes y by less than 0.1 %`",
-            )),
+            .with_hint(words("write `halving the step changes y by less than 0.1 %`")),
         );
         return None;
     };
@@ -169,16 +149,10 @@ fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Tes
         expressions.diagnostics.push(
             Diagnostic::warning(
                 "check-constant",
-                words(
-                    "no step changes this: it does not depend on what the equations are solved for",
-                    "ningún paso cambia esto: no depende de las incógnitas de las ecuaciones",
-                ),
+                words("no step changes this: it does not depend on what the equations are solved for"),
                 value.span,
             )
-            .with_hint(words(
-                "name what the run computes, such as `y`",
-                "nombra lo que calcula la simulación, por ejemplo `y`",
-            )),
+            .with_hint(words("name what the run computes, such as `y`")),
         );
     }
     Some(Test::HalvedStep { value: value.value, tolerance })
@@ -189,15 +163,8 @@ fn holds(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
     let source = expressions.source;
     if let Some(at) = lone_equals(source, range.clone()) {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "check-syntax",
-                words("`=` defines, and a claim compares", "`=` define, y una afirmación compara"),
-                Span::new(at, at + 1),
-            )
-            .with_hint(words(
-                "write `==` for exactly equal, or `E within 1e-6 of E(0)`",
-                "escribe `==` para la igualdad exacta, o `E within 1e-6 of E(0)`",
-            )),
+            Diagnostic::error("check-syntax", words("`=` defines, and a claim compares"), Span::new(at, at + 1))
+                .with_hint(words("write `==` for exactly equal, or `E within 1e-6 of E(0)`")),
         );
         return None;
     }
@@ -216,18 +183,8 @@ fn holds(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
     let condition = expressions.place(expression, unit.as_ref())?;
     if condition.value.kind != Kind::Truth {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "check-syntax",
-                words(
-                    "a claim is true or false, and this is neither",
-                    "una afirmación es verdadera o falsa, y esto no es ni lo uno ni lo otro",
-                ),
-                condition.span,
-            )
-            .with_hint(words(
-                "compare it, as in `y < 2 [m] always`, or write `within 1 % of ...`",
-                "compáralo, como en `y < 2 [m] always`, o escribe `within 1 % of ...`",
-            )),
+            Diagnostic::error("check-syntax", words("a claim is true or false, and this is neither"), condition.span)
+                .with_hint(words("compare it, as in `y < 2 [m] always`, or write `within 1 % of ...`")),
         );
         return None;
     }
@@ -266,17 +223,7 @@ fn warn_if_constant(expressions: &mut Expressions, values: &[&Placed]) {
     }
     let Some(span) = values.iter().map(|placed| placed.span).reduce(Span::to) else { return };
     expressions.diagnostics.push(
-        Diagnostic::warning(
-            "check-constant",
-            words(
-                "nothing in this claim changes during a run",
-                "nada en esta afirmación cambia durante una simulación",
-            ),
-            span,
-        )
-        .with_hint(words(
-            "compare what the run computes with what it should be",
-            "compara lo que calcula la simulación con lo que debería ser",
-        )),
+        Diagnostic::warning("check-constant", words("nothing in this claim changes during a run"), span)
+            .with_hint(words("compare what the run computes with what it should be")),
     );
 }

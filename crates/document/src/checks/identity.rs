@@ -10,14 +10,9 @@ pub fn remark_on_identity(expressions: &mut Expressions, left: &Placed, right: &
     if left.value.node != right.value.node || !expressions.model().depends(left.value.node).varies() {
         return;
     }
-    let message = words(
-        "this claim is true by definition: both sides are the same whatever the run does",
-        "esta afirmación es verdadera por definición: ambos lados son iguales haga lo que haga la simulación",
-    );
+    let message = words("this claim is true by definition: both sides are the same whatever the run does");
     expressions.diagnostics.push(
-        Diagnostic::warning("true-by-definition", message, left.span.to(right.span)).with_hint(words(
-            "compare what the run computes with what follows from something else",
-            "compara lo que calcula la simulación con lo que resulta de otra cosa",
-        )),
+        Diagnostic::warning("true-by-definition", message, left.span.to(right.span))
+            .with_hint(words("compare what the run computes with what follows from something else")),
     );
 }

@@ -36,10 +36,7 @@ impl Checks {
                 continue;
             }
             if self.places.len() == CLAIMS {
-                let message = words!(
-                    "a document cannot make more than {CLAIMS} claims in its checks",
-                    "un documento no puede hacer más de {CLAIMS} afirmaciones en sus comprobaciones"
-                );
+                let message = words!("a document cannot make more than {CLAIMS} claims in its checks");
                 expressions.error("too-large", message, span);
                 return;
             }
@@ -80,16 +77,10 @@ fn named(expressions: &mut Expressions, statement: Range<usize>) -> Option<(Stri
         expressions.diagnostics.push(
             Diagnostic::error(
                 "check-syntax",
-                words(
-                    "a check is a name in quotation marks, a colon and a claim",
-                    "una comprobación es un nombre entre comillas, dos puntos y una afirmación",
-                ),
+                words("a check is a name in quotation marks, a colon and a claim"),
                 Span::new(statement.start, statement.end),
             )
-            .with_hint(words(
-                "write `\"Energy is kept\": E within 1e-6 of E(0) always`",
-                "escribe `\"La energía se conserva\": E within 1e-6 of E(0) always`",
-            )),
+            .with_hint(words("write `\"Energy is kept\": E within 1e-6 of E(0) always`")),
         );
     }
     named

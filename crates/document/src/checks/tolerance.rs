@@ -11,14 +11,8 @@ use units::words;
 
 const FORM: Form = Form {
     code: "check-syntax",
-    other_dimension: words(
-        "the tolerance and the value have different dimensions",
-        "la tolerancia y el valor tienen dimensiones distintas",
-    ),
-    hint: words(
-        "write a fraction, `1e-6` or `0.1 %`, or a quantity such as `1 [mm]`",
-        "escribe una fracción, `1e-6` o `0.1 %`, o una magnitud, por ejemplo `1 [mm]`",
-    ),
+    other_dimension: words("the tolerance and the value have different dimensions"),
+    hint: words("write a fraction, `1e-6` or `0.1 %`, or a quantity such as `1 [mm]`"),
     bare_is_fraction: true,
 };
 
@@ -37,18 +31,8 @@ pub fn tolerance(
         let unit = value.value.unit.text.as_str();
         let example = if unit.is_empty() { "abs(x) < 0.001".to_owned() } else { format!("within 0.001 [{unit}] of 0") };
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "check-syntax",
-                words(
-                    "a fraction of 0 is 0, so nothing is near enough",
-                    "una fracción de 0 es 0, así que nada está lo bastante cerca",
-                ),
-                span,
-            )
-            .with_hint(words!(
-                "state how near with a unit, as in `{example}`",
-                "indica la tolerancia con una unidad, como en `{example}`"
-            )),
+            Diagnostic::error("check-syntax", words("a fraction of 0 is 0, so nothing is near enough"), span)
+                .with_hint(words!("state how near with a unit, as in `{example}`")),
         );
         return None;
     }
@@ -61,17 +45,10 @@ pub fn tolerance(
 /// Warns of `within 0.5`, which could be meant as a fraction or as a difference.
 fn bare(part: f64, span: Span) -> Diagnostic {
     let percent = percent(part);
-    let message = words!(
-        "a tolerance without a unit is a fraction: {percent} % of what the value should be",
-        "una tolerancia sin unidad es una fracción: el {percent} % de lo que debería ser el valor"
-    );
+    let message = words!("a tolerance without a unit is a fraction: {percent} % of what the value should be");
     Diagnostic::warning("bare-tolerance", message, span)
-        .with_hint(words!("for the fraction write `{percent} %`", "para la fracción escribe `{percent} %`"))
-        .with_hint(words!(
-            "for a difference write `{percent} [%]`, which is {}",
-            "para una diferencia escribe `{percent} [%]`, que es {}",
-            shortest(part)
-        ))
+        .with_hint(words!("for the fraction write `{percent} %`"))
+        .with_hint(words!("for a difference write `{percent} [%]`, which is {}", shortest(part)))
         .with_fix(span, format!("{percent} %"))
         .with_fix(span, format!("{percent} [%]"))
 }

@@ -24,7 +24,7 @@ pub struct Drawing {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Item {
     /// Kind of element.
-    pub kind: Part,
+    pub kind: &'static Part,
     /// From the opening tag to the end of the closing tag.
     pub span: Span,
     /// Opening tag.
@@ -139,7 +139,7 @@ fn written(source: &str, (name, value): &(Range<usize>, Range<usize>)) -> Writte
 }
 
 /// Text of a label, or of the title of any other element. `None` if it has several parts.
-fn says(source: &str, element: &RawElement, kind: Part) -> Option<Span> {
+fn says(source: &str, element: &RawElement, kind: &Part) -> Option<Span> {
     let text_of = |element: &RawElement| match element.children.as_slice() {
         [RawChild::Text(text)] => Some(span(text)),
         _ => None,

@@ -65,74 +65,45 @@ impl EditError {
     /// Message in one sentence without a full stop.
     pub fn words(&self) -> Words {
         match self {
-            Self::Place(Span { start, end }) => words!(
-                "the bytes from {start} to {end} are not a part of the text",
-                "los bytes de {start} a {end} no son una parte del texto"
-            ),
-            Self::Overlap(Span { start, end }) => words!(
-                "another edit also changes bytes from {start} to {end}",
-                "otro cambio también modifica bytes de {start} a {end}"
-            ),
-            Self::TooLong => words!(
-                "a document cannot be longer than {} bytes",
-                "un documento no puede tener más de {} bytes",
-                crate::text::outline::LENGTH
-            ),
+            Self::Place(Span { start, end }) => words!("the bytes from {start} to {end} are not a part of the text"),
+            Self::Overlap(Span { start, end }) => words!("another edit also changes bytes from {start} to {end}"),
+            Self::TooLong => words!("a document cannot be longer than {} bytes", crate::text::outline::LENGTH),
             Self::UnknownParameter(name) => {
-                words!("the model has no parameter `{name}`", "el modelo no tiene ningún parámetro `{name}`")
+                words!("the model has no parameter `{name}`")
             }
-            Self::UnreadableParameter(name) => words!(
-                "the default of the parameter `{name}` has an error; correct it in the text",
-                "el valor predeterminado del parámetro `{name}` tiene un error; corrígelo en el texto"
-            ),
-            Self::NotANumber(text) => words!("`{text}` is not a number", "`{text}` no es un número"),
+            Self::UnreadableParameter(name) => {
+                words!("the default of the parameter `{name}` has an error; correct it in the text")
+            }
+            Self::NotANumber(text) => words!("`{text}` is not a number"),
             Self::Key(key) => {
-                words!("`{key}` cannot be a key of the front matter", "`{key}` no puede ser una clave de la cabecera")
+                words!("`{key}` cannot be a key of the front matter")
             }
-            Self::Value(_) => words(
-                "a value in the front matter is one line of text",
-                "un valor de la cabecera es una línea de texto",
-            ),
-            Self::UnknownBlock(index) => words!(
-                "the document has no block with the index {index}",
-                "el documento no tiene ningún bloque con el índice {index}"
-            ),
-            Self::ChangesOthers => words(
-                "this text would change how the blocks around it are read",
-                "este texto cambiaría cómo se leen los bloques que lo rodean",
-            ),
-            Self::UnknownCell => words("the form has no such cell", "el formulario no tiene esa celda"),
+            Self::Value(_) => words("a value in the front matter is one line of text"),
+            Self::UnknownBlock(index) => words!("the document has no block with the index {index}"),
+            Self::ChangesOthers => words("this text would change how the blocks around it are read"),
+            Self::UnknownCell => words("the form has no such cell"),
             Self::NotOneCell(obstacle) | Self::NotOneElement(obstacle) => obstacle.words(),
-            Self::NotOneStatement => words(
-                "this is not one whole statement: it is empty, has several, or a brace or parenthesis is open",
-                "esto no es una sentencia completa: está vacía, hay varias, o queda abierta una llave o un paréntesis",
-            ),
-            Self::NoDrawing => words("the document has no drawing", "el documento no tiene dibujo"),
-            Self::UnknownElement(_) => words("the drawing has no such element", "el dibujo no tiene ese elemento"),
-            Self::NotAPoint => words(
-                "this place is computed in a way that the hand cannot change; write it in the text",
-                "este lugar se calcula de una forma que la mano no puede cambiar; escríbelo en el texto",
-            ),
+            Self::NotOneStatement => {
+                words("this is not one whole statement: it is empty, has several, or a brace or parenthesis is open")
+            }
+            Self::NoDrawing => words("the document has no drawing"),
+            Self::UnknownElement(_) => words("the drawing has no such element"),
+            Self::NotAPoint => {
+                words("this place is computed in a way that the hand cannot change; write it in the text")
+            }
             Self::EarlierQuestion(number) => words!(
-                "translate the first {number} questions before this one: a translation has them in the same order",
-                "traduce antes las primeras {number} preguntas: una traducción las tiene en el mismo orden"
+                "translate the first {number} questions before this one: a translation has them in the same order"
             ),
-            Self::NoName => words("no name of the model stands here", "aquí no hay ningún nombre del modelo"),
-            Self::NewName(name) => words!(
-                "`{name}` cannot be a name here: it has a meaning already, or characters that names do not have",
-                "`{name}` no puede ser un nombre aquí: ya tiene un significado, o caracteres que los nombres no admiten"
-            ),
-            Self::Incomplete(name) => words!(
-                "`{name}` could not be renamed everywhere; rename it in the text",
-                "`{name}` no se pudo cambiar en todas partes; cámbialo en el texto"
-            ),
+            Self::NoName => words("no name of the model stands here"),
+            Self::NewName(name) => {
+                words!("`{name}` cannot be a name here: it has a meaning already, or characters that names do not have")
+            }
+            Self::Incomplete(name) => words!("`{name}` could not be renamed everywhere; rename it in the text"),
             Self::Captured { old, new } => words!(
-                "`{old}` cannot become `{new}`: an argument, an index or a `let` is called `{new}` already; rename that first",
-                "`{old}` no puede pasar a `{new}`: un argumento, un índice o un `let` ya se llama `{new}`; cámbialo antes"
+                "`{old}` cannot become `{new}`: an argument, an index or a `let` is called `{new}` already; rename that first"
             ),
             Self::ComputesOthers(name) => words!(
-                "with the name `{name}` the document would compute something else: `{name}` has a meaning of its own in it, or the name decides what is drawn at random; rename in the text",
-                "con el nombre `{name}` el documento calcularía otra cosa: `{name}` tiene un significado propio en él, o el nombre decide lo que se sortea; cámbialo en el texto"
+                "with the name `{name}` the document would compute something else: `{name}` has a meaning of its own in it, or the name decides what is drawn at random; rename in the text"
             ),
         }
     }
@@ -140,7 +111,7 @@ impl EditError {
 
 impl fmt::Display for EditError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.words().english)
+        formatter.write_str(&self.words().english())
     }
 }
 

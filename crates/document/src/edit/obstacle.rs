@@ -51,19 +51,12 @@ impl Obstacle {
     /// Message in one sentence without a full stop.
     pub(super) fn words(&self) -> Words {
         match self {
-            Self::Empty => words("this cannot be empty", "esto no puede quedar vacío"),
-            Self::LineEnd => words(
-                "this cannot contain a line break: it must stay on one line",
-                "esto no puede contener un salto de línea: tiene que quedar en una línea",
-            ),
-            Self::Mark(mark) => words!(
-                "this cannot contain `{mark}`, which would be read as part of the text around it",
-                "esto no puede contener `{mark}`: se leería como parte del texto que lo rodea"
-            ),
-            Self::Other => words(
-                "this would be read as more than this one entry; write it in the text",
-                "esto se leería como algo más que esta entrada; escríbelo en el texto",
-            ),
+            Self::Empty => words("this cannot be empty"),
+            Self::LineEnd => words("this cannot contain a line break: it must stay on one line"),
+            Self::Mark(mark) => {
+                words!("this cannot contain `{mark}`, which would be read as part of the text around it")
+            }
+            Self::Other => words("this would be read as more than this one entry; write it in the text"),
         }
     }
 }

@@ -163,15 +163,8 @@ impl<'a> Writer<'a> {
         if !self.told_of_html {
             self.told_of_html = true;
             self.diagnostics.push(
-                Diagnostic::warning(
-                    "raw-html",
-                    words("HTML in prose is shown as text", "el HTML dentro del texto se muestra tal cual"),
-                    span,
-                )
-                .with_hint(words(
-                    "use Markdown; the page allows no other markup",
-                    "usa Markdown; la página no admite otro marcado",
-                )),
+                Diagnostic::warning("raw-html", words("HTML in prose is shown as text"), span)
+                    .with_hint(words("use Markdown; the page allows no other markup")),
             );
         }
         self.text(text);
@@ -287,7 +280,7 @@ mod tests {
             })
             .collect();
         assert_eq!(html, expected);
-        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| d.message.english()).collect::<Vec<_>>(), messages);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use model::{Diagnostic, Span};
 use units::markup::escaped;
-use units::words;
+use units::{Language, Words, say, words};
 
 /// Maximum nesting depth of a formula. The converter is recursive, and the stack in a page is small.
 const DEPTH: usize = 20;
@@ -25,33 +25,17 @@ impl Formulas {
     /// MathML of `latex`, which stands at `span` of the source; after an error, the text itself.
     pub fn html(&self, latex: &str, display: MathDisplay, span: Span, diagnostics: &mut Vec<Diagnostic>) -> String {
         let problem = if latex.len() > LENGTH {
-            Diagnostic::error(
-                "math",
-                words!(
-                    "a formula cannot be longer than {LENGTH} bytes",
-                    "una fórmula no puede tener más de {LENGTH} bytes"
-                ),
-                span,
-            )
+            Diagnostic::error("math", words!("a formula cannot be longer than {LENGTH} bytes"), span)
         } else if nesting(latex) > DEPTH {
-            Diagnostic::error(
-                "math",
-                words!(
-                    "a formula cannot be nested deeper than {DEPTH} levels",
-                    "una fórmula no puede anidarse a más de {DEPTH} niveles"
-                ),
-                span,
-            )
+            Diagnostic::error("math", words!("a formula cannot be nested deeper than {DEPTH} levels"), span)
         } else {
             match self.converter.convert_with_local_state(latex, display) {
                 Ok(result) => return result.mathml,
                 Err(error) => {
-                    let message = error.to_string();
-                    let reason = lower(message.trim_end_matches('.'));
-                    let (label, part) = (spanish(error.label()), latex.get(error.0.clone()).unwrap_or_default().trim());
-                    let place = if part.is_empty() { String::new() } else { format!(", «{part}»") };
-                    let message =
-                        words!("the formula cannot be read: {reason}", "no se puede leer la fórmula: {label}{place}");
+                    let part = latex.get(error.0.clone()).unwrap_or_default().trim();
+                    let (part, message, label) = (part.to_owned(), error.to_string(), error.label().to_owned());
+                    let reason = Words::each(move |language| reason(&message, &label, &part, language));
+                    let message = words!("the formula cannot be read: {reason}");
                     Diagnostic::error("math", message, span)
                 }
             }
@@ -61,30 +45,34 @@ impl Formulas {
     }
 }
 
-/// The text with a lower-case first letter, as after a colon.
-fn lower(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
+/// Why a formula cannot be read: in English the message of the converter, elsewhere its label with the part that is meant.
+fn reason(message: &str, label: &str, part: &str, language: Language) -> String {
+    if language == Language::English {
+        let mut letters = message.trim_end_matches('.').chars();
+        return letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect());
+    }
+    let label = known(label, language);
+    if part.is_empty() { label.to_owned() } else { say!(language, "{label}, “{part}”") }
 }
 
-/// Spanish text for an error of the converter, which is in English only. Covers the usual labels.
-fn spanish(label: &str) -> &'static str {
+/// The usual labels of the errors of the converter.
+fn known(label: &str, language: Language) -> &'static str {
     match label {
-        "a group was never closed" => "un grupo no se cierra",
-        "no matching opening for this" => "se cierra algo que no se ha abierto",
-        "expected an argument here" => "falta un argumento",
-        "expected a delimiter here" => "falta un delimitador",
-        "disallowed character" => "carácter no admitido",
-        "unknown environment" => "entorno desconocido",
-        "unknown command" => "orden desconocida",
-        "unknown color" => "color desconocido",
-        "expected a different environment name here" => "se cierra otro entorno",
-        "cannot be used here" => "no se puede usar en este lugar",
-        "duplicate" | "unexpected bound" => "subíndices o superíndices repetidos",
-        "this is not valid in text mode" => "no vale en modo de texto",
-        "this is not valid in math mode" => "no vale en modo matemático",
-        "limit exceeded" => "es demasiado complicada",
-        _ => "no se entiende una parte",
+        "a group was never closed" => language.say("a group was never closed"),
+        "no matching opening for this" => language.say("no matching opening for this"),
+        "expected an argument here" => language.say("expected an argument here"),
+        "expected a delimiter here" => language.say("expected a delimiter here"),
+        "disallowed character" => language.say("disallowed character"),
+        "unknown environment" => language.say("unknown environment"),
+        "unknown command" => language.say("unknown command"),
+        "unknown color" => language.say("unknown color"),
+        "expected a different environment name here" => language.say("expected a different environment name here"),
+        "cannot be used here" => language.say("cannot be used here"),
+        "duplicate" | "unexpected bound" => language.say("duplicate"),
+        "this is not valid in text mode" => language.say("this is not valid in text mode"),
+        "this is not valid in math mode" => language.say("this is not valid in math mode"),
+        "limit exceeded" => language.say("limit exceeded"),
+        _ => language.say("a part is not understood"),
     }
 }
 
@@ -147,7 +135,7 @@ mod tests {
     fn html(latex: &str) -> (String, Vec<String>) {
         let mut diagnostics = Vec::new();
         let html = Formulas::new().html(latex, MathDisplay::Inline, Span::new(0, 0), &mut diagnostics);
-        (html, diagnostics.into_iter().map(|d| d.message.english.into_owned()).collect())
+        (html, diagnostics.into_iter().map(|d| d.message.english()).collect())
     }
 
     #[test]

@@ -41,20 +41,13 @@ pub fn misfit(attribute: &str, text: &str, span: Span) -> Option<Diagnostic> {
     if fits(amount, text) {
         return None;
     }
-    let message = words!("`{attribute}` cannot be `{text}`", "`{attribute}` no puede ser `{text}`");
+    let message = words!("`{attribute}` cannot be `{text}`");
     let hint = match amount {
-        Amount::Dashes => words(
-            "write lengths of dashes and gaps, such as `5 3`, or `none`",
-            "escribe longitudes de trazos y huecos, por ejemplo `5 3`, o `none`",
-        ),
-        Amount::Number => words(
-            "write a number, such as `0.5`, or an expression in braces, such as `{1 - x}`",
-            "escribe un número, por ejemplo `0.5`, o una expresión entre llaves, por ejemplo `{1 - x}`",
-        ),
-        Amount::Length | Amount::Lengths | Amount::Extent(_) => words(
-            "write a length in units of the drawing, such as `2.5`, or an expression in braces, such as `{10*x}`",
-            "escribe una longitud en unidades del dibujo, por ejemplo `2.5`, o una expresión entre llaves, por ejemplo `{10*x}`",
-        ),
+        Amount::Dashes => words("write lengths of dashes and gaps, such as `5 3`, or `none`"),
+        Amount::Number => words("write a number, such as `0.5`, or an expression in braces, such as `{1 - x}`"),
+        Amount::Length | Amount::Lengths | Amount::Extent(_) => {
+            words("write a length in units of the drawing, such as `2.5`, or an expression in braces, such as `{10*x}`")
+        }
     };
     let found = Diagnostic::error("scene-refused", message, span).with_hint(hint);
     // `1,5` and `2 px` have an unambiguous correction.

@@ -19,18 +19,10 @@ impl Builder<'_, '_> {
             return None;
         }
         if !ATTRIBUTES.contains(&text.as_str()) {
-            let message = words!(
-                "the attribute `{text}` is not allowed in a scene; it is left out",
-                "el atributo `{text}` no se admite en una escena; se omite"
-            );
+            let message = words!("the attribute `{text}` is not allowed in a scene; it is left out");
             let hint = match text.as_str() {
-                "style" => words(
-                    "write the properties as attributes, `fill=\"red\"`, or in a `<style>`",
-                    "escribe las propiedades como atributos, `fill=\"red\"`, o en un `<style>`",
-                ),
-                "href" | "xlink:href" => {
-                    words("a scene refers to nothing outside itself", "una escena no remite a nada fuera de sí misma")
-                }
+                "style" => words("write the properties as attributes, `fill=\"red\"`, or in a `<style>`"),
+                "href" | "xlink:href" => words("a scene refers to nothing outside itself"),
                 _ => {
                     self.refuse_word(message, name, units::nearest(&text, ATTRIBUTES));
                     return None;
@@ -51,11 +43,8 @@ impl Builder<'_, '_> {
         {
             let placed = self.expressions.bare(expression.clone())?;
             if placed.value.kind != Kind::Text {
-                let message = words("a colour is a text, and this is none", "un color es un texto, y esto no lo es");
-                let hint = words!(
-                    "such as `{text}=\"{{if x > 0 then \"mark\" else \"liquid\"}}\"`",
-                    "por ejemplo `{text}=\"{{if x > 0 then \"mark\" else \"liquid\"}}\"`"
-                );
+                let message = words("a colour is a text, and this is none");
+                let hint = words!("such as `{text}=\"{{if x > 0 then \"mark\" else \"liquid\"}}\"`");
                 self.refuse_at(message, placed.span, Some(hint));
                 return None;
             }
@@ -76,18 +65,10 @@ impl Builder<'_, '_> {
             })
             .collect();
         if let Some(word) = danger(&literals) {
-            let hint = REFERRING.contains(&text.as_str()).then_some(words(
-                "only `url(#id)` with the id of an element of this scene can stand here",
-                "aquí solo puede estar `url(#id)` con el id de un elemento de esta escena",
-            ));
-            self.refuse(
-                words!(
-                    "`{word}` is not allowed in a scene; `{text}` is left out",
-                    "`{word}` no se admite en una escena; `{text}` se omite"
-                ),
-                value,
-                hint,
-            );
+            let hint = REFERRING
+                .contains(&text.as_str())
+                .then_some(words("only `url(#id)` with the id of an element of this scene can stand here"));
+            self.refuse(words!("`{word}` is not allowed in a scene; `{text}` is left out"), value, hint);
             return None;
         }
         if matches!(text.as_str(), "id" | "class") {
@@ -134,19 +115,11 @@ impl Builder<'_, '_> {
         place: Range<usize>,
     ) -> Option<Attribute> {
         if name == "id" && self.repeating > 0 {
-            self.refuse(
-                words("what is repeated cannot have an `id`", "lo que se repite no puede tener un `id`"),
-                place,
-                None,
-            );
+            self.refuse(words("what is repeated cannot have an `id`"), place, None);
             return None;
         }
         if has_values {
-            self.refuse(
-                words!("`{name}` cannot hold values of the model", "`{name}` no puede contener valores del modelo"),
-                place,
-                None,
-            );
+            self.refuse(words!("`{name}` cannot hold values of the model"), place, None);
             return None;
         }
         let text = if name == "id" {
@@ -155,11 +128,7 @@ impl Builder<'_, '_> {
             let names = || text.split_whitespace();
             let known: Vec<&str> = names().filter(|name| is_id(name)).collect();
             if known.len() < names().count() {
-                self.refuse(
-                    words!("`{text}` is not a list of class names", "`{text}` no es una lista de nombres de clase"),
-                    place,
-                    None,
-                );
+                self.refuse(words!("`{text}` is not a list of class names"), place, None);
             }
             known.join(" ")
         };

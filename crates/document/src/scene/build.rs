@@ -39,15 +39,8 @@ fn build_with(
     let opening = Span::new(range.start, range.start);
     let Some(length) = source[range.clone()].find("<svg") else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "scene-syntax",
-                words("a scene needs a drawing", "una escena necesita un dibujo"),
-                opening,
-            )
-            .with_hint(words(
-                "begin it with `<svg viewBox=\"0 0 400 300\">`",
-                "empiézala con `<svg viewBox=\"0 0 400 300\">`",
-            )),
+            Diagnostic::error("scene-syntax", words("a scene needs a drawing"), opening)
+                .with_hint(words("begin it with `<svg viewBox=\"0 0 400 300\">`")),
         );
         return None;
     };
@@ -78,19 +71,11 @@ fn build_with(
     for child in children {
         match child {
             RawChild::Element(element) if root.is_none() => root = builder.root(element),
-            RawChild::Element(element) => builder.refuse(
-                words("a scene is one `svg` element", "una escena es un solo elemento `svg`"),
-                element.name,
-                None,
-            ),
+            RawChild::Element(element) => builder.refuse(words("a scene is one `svg` element"), element.name, None),
             RawChild::Text(text) => {
                 let text = crate::text::source::trim(source, text);
                 if !text.is_empty() {
-                    builder.refuse(
-                        words("this text stands outside the drawing", "este texto está fuera del dibujo"),
-                        text,
-                        None,
-                    );
+                    builder.refuse(words("this text stands outside the drawing"), text, None);
                 }
             }
         }
@@ -112,16 +97,12 @@ impl Builder<'_, '_> {
                     let (id, place) = (self.source(value).to_owned(), value.clone());
                     if !is_id(&id) {
                         self.refuse(
-                            words!("`{id}` cannot be an id", "`{id}` no puede ser un id"),
+                            words!("`{id}` cannot be an id"),
                             place,
-                            Some(words("use letters, digits, `-` and `_`", "usa letras, cifras, `-` y `_`")),
+                            Some(words("use letters, digits, `-` and `_`")),
                         );
                     } else if !self.ids.insert(id.clone()) {
-                        self.refuse(
-                            words!("the id `{id}` is used twice", "el id `{id}` se usa dos veces"),
-                            place,
-                            None,
-                        );
+                        self.refuse(words!("the id `{id}` is used twice"), place, None);
                     }
                 }
             }
@@ -132,18 +113,14 @@ impl Builder<'_, '_> {
     fn check_references(&mut self) {
         for (id, place) in std::mem::take(&mut self.references) {
             if !self.ids.contains(&id) {
-                self.refuse(
-                    words!("nothing in the scene has the id `{id}`", "nada en la escena tiene el id `{id}`"),
-                    place,
-                    None,
-                );
+                self.refuse(words!("nothing in the scene has the id `{id}`"), place, None);
             }
         }
     }
 
     fn root(&mut self, raw: RawElement) -> Option<Element> {
         if self.source(&raw.name) != "svg" {
-            self.refuse(words("a scene is one `svg` element", "una escena es un solo elemento `svg`"), raw.name, None);
+            self.refuse(words("a scene is one `svg` element"), raw.name, None);
             return None;
         }
         let name = raw.name.clone();
@@ -152,12 +129,9 @@ impl Builder<'_, '_> {
         let root = self.element(raw)?;
         if !root.attributes.iter().any(|attribute| attribute.name == "viewBox") {
             self.refuse(
-                words("the `svg` element needs a `viewBox`", "el elemento `svg` necesita un `viewBox`"),
+                words("the `svg` element needs a `viewBox`"),
                 name,
-                Some(words(
-                    "`viewBox=\"0 0 400 300\"` gives the drawing 400 by 300 units",
-                    "`viewBox=\"0 0 400 300\"` da al dibujo 400 por 300 unidades",
-                )),
+                Some(words("`viewBox=\"0 0 400 300\"` gives the drawing 400 by 300 units")),
             );
         }
         Some(root)

@@ -103,7 +103,7 @@ impl Builder<'_, '_> {
         let before = self.drawn;
         self.drawn += more;
         if self.drawn > DRAWN && before <= DRAWN {
-            let message = words("there are too many parts in this scene", "hay demasiadas partes en esta escena");
+            let message = words("there are too many parts in this scene");
             self.refuse(message, place, None);
         }
         self.drawn <= DRAWN

@@ -15,12 +15,9 @@ impl Builder<'_, '_> {
         let range = self.inside_braces(range);
         let condition = self.expressions.compile(range)?;
         if condition.value.kind != Kind::Truth {
-            let mut diagnostic = Diagnostic::error(
-                "not-a-condition",
-                words("`visible` needs a condition", "`visible` necesita una condición"),
-                condition.span,
-            );
-            diagnostic.hints.push(words("such as `visible=\"x > 0 [m]\"`", "por ejemplo `visible=\"x > 0 [m]\"`"));
+            let mut diagnostic =
+                Diagnostic::error("not-a-condition", words("`visible` needs a condition"), condition.span);
+            diagnostic.hints.push(words("such as `visible=\"x > 0 [m]\"`"));
             self.expressions.diagnostics.push(diagnostic);
             return None;
         }

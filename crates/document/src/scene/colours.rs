@@ -108,13 +108,10 @@ pub fn misfit(text: &str, span: Span) -> Option<Diagnostic> {
 pub fn no_colour(text: &str, span: Span) -> Diagnostic {
     let text = text.trim();
     let palette = PALETTE.map(|(name, _)| name).join(", ");
-    let message = words!("\"{text}\" is not a colour", "«{text}» no es un color");
+    let message = words!("\"{text}\" is not a colour");
     let mut found = Diagnostic::error("scene-refused", message, span);
-    found.hints.extend(meant(text).map(|meant| words!("did you mean `{meant}`?", "¿querías decir `{meant}`?")));
-    found.with_hint(words!(
-        "colours are those of the page ({palette}), the names of CSS, such as red, and `#c4551d`",
-        "los colores son los de la página ({palette}), los nombres ingleses de CSS, como red, y `#c4551d`"
-    ))
+    found.hints.extend(meant(text).map(|meant| words!("did you mean `{meant}`?")));
+    found.with_hint(words!("colours are those of the page ({palette}), the names of CSS, such as red, and `#c4551d`"))
 }
 
 fn meant(text: &str) -> Option<&'static str> {

@@ -14,12 +14,9 @@ impl Builder<'_, '_> {
         let Some(place) = dragging.state else {
             if let Some(place) = dragging.up.or(dragging.right) {
                 self.refuse(
-                    words("what does the pointer change?", "¿qué cambia el puntero?"),
+                    words("what does the pointer change?"),
                     place,
-                    Some(words(
-                        "name a state: `drag=\"y\" drag-up=\"0.01 [m]\"`",
-                        "nombra un estado: `drag=\"y\" drag-up=\"0.01 [m]\"`",
-                    )),
+                    Some(words("name a state: `drag=\"y\" drag-up=\"0.01 [m]\"`")),
                 );
             }
             return None;
@@ -31,15 +28,9 @@ impl Builder<'_, '_> {
         }
         if dragging.up.is_none() && dragging.right.is_none() {
             self.refuse(
-                words(
-                    "dragging needs `drag-up`, `drag-right` or both",
-                    "para arrastrar hacen falta `drag-up`, `drag-right` o los dos",
-                ),
+                words("dragging needs `drag-up`, `drag-right` or both"),
                 place,
-                Some(words(
-                    "`drag-up=\"0.01 [m]\"` is what one unit upwards adds",
-                    "`drag-up=\"0.01 [m]\"` es lo que añade una unidad hacia arriba",
-                )),
+                Some(words("`drag-up=\"0.01 [m]\"` is what one unit upwards adds")),
             );
             return None;
         }
@@ -62,14 +53,11 @@ impl Builder<'_, '_> {
         }
         let parameters = model.parameters.iter().map(|parameter| parameter.name.as_str());
         let near = units::nearest(&name, states.iter().map(String::as_str).chain(parameters)).map(str::to_owned);
-        let message = words!(
-            "`{name}` is neither a state nor a parameter, so it cannot be dragged",
-            "`{name}` no es ni un estado ni un parámetro, así que no se puede arrastrar"
-        );
+        let message = words!("`{name}` is neither a state nor a parameter, so it cannot be dragged");
         match near {
             Some(near) => self.refuse_word(message, place.clone(), Some(&near)),
             None => {
-                let hint = words!("the states are {}", "los estados son {}", states.join(", "));
+                let hint = words!("the states are {}", states.join(", "));
                 self.refuse(message, place.clone(), Some(hint));
             }
         }
@@ -111,15 +99,9 @@ impl Builder<'_, '_> {
         let square = graph.add(right_squared, up_squared);
         if graph.as_constant(square) == Some(0.0) {
             self.refuse(
-                words!(
-                    "where this part lies does not depend on `{name}`",
-                    "el lugar de esta parte no depende de `{name}`"
-                ),
+                words!("where this part lies does not depend on `{name}`"),
                 place,
-                Some(words(
-                    "say with `drag-right` and `drag-up` what a way to the right or upwards adds",
-                    "di con `drag-right` y `drag-up` qué añade un desplazamiento hacia la derecha o hacia arriba",
-                )),
+                Some(words("say with `drag-right` and `drag-up` what a way to the right or upwards adds")),
             );
             return None;
         }
@@ -145,15 +127,9 @@ impl Builder<'_, '_> {
         let is_zero = self.graph().as_constant(rate.value.node) == Some(0.0);
         if rate.value.dimension() != expected && !is_zero {
             let message = if self.space.framed {
-                words!(
-                    "this times a length of the frame must have the dimension of `{name}`",
-                    "esto por una longitud del marco debe tener la dimensión de `{name}`"
-                )
+                words!("this times a length of the frame must have the dimension of `{name}`")
             } else {
-                words!(
-                    "one unit of the drawing must add to `{name}` something of its dimension",
-                    "una unidad del dibujo debe añadir a `{name}` algo de su dimensión"
-                )
+                words!("one unit of the drawing must add to `{name}` something of its dimension")
             };
             let found = (rate.span, rate.value.dimension());
             self.expressions.diagnostics.push(dimension_error(message, found, (declared, expected)));

@@ -20,12 +20,9 @@ impl Builder<'_, '_> {
             return self.part(part, raw);
         }
         if name != "frame" && !ELEMENTS.contains(&name.as_str()) {
-            let all = ELEMENTS.into_iter().chain(["frame"]).chain(PARTS.map(|part| part.name));
+            let all = ELEMENTS.into_iter().chain(["frame"]).chain(PARTS.iter().map(|part| part.name));
             self.refuse_word(
-                words!(
-                    "a scene cannot contain `<{name}>`; it is left out with what it holds",
-                    "una escena no puede contener `<{name}>`; se omite con lo que contiene"
-                ),
+                words!("a scene cannot contain `<{name}>`; it is left out with what it holds"),
                 raw.name,
                 units::nearest(&name, all),
             );
@@ -88,12 +85,9 @@ impl Builder<'_, '_> {
                 own @ ("x" | "y" | "box") if is_frame => drop(geometry.insert(own.to_owned(), value)),
                 own if self.space.framed && is_geometry(&name, own) => drop(geometry.insert(own.to_owned(), value)),
                 "transform" if self.space.framed => self.refuse(
-                    words("`transform` counts in units of the drawing", "`transform` cuenta en unidades del dibujo"),
+                    words("`transform` counts in units of the drawing"),
                     attribute,
-                    Some(words(
-                        "in a frame write `<g at=\"(x, y)\" turn=\"phi\">`",
-                        "en un marco escribe `<g at=\"(x, y)\" turn=\"phi\">`",
-                    )),
+                    Some(words("in a frame write `<g at=\"(x, y)\" turn=\"phi\">`")),
                 ),
                 _ => element.attributes.extend(self.attribute(attribute, value)),
             }
@@ -129,7 +123,7 @@ impl Builder<'_, '_> {
     }
 
     /// Builds a part: a group with a name, the drawn elements, and the attributes that the document sets on the whole.
-    fn part(&mut self, part: Part, raw: RawElement) -> Option<Element> {
+    fn part(&mut self, part: &Part, raw: RawElement) -> Option<Element> {
         let mut element = Element { name: "g".to_owned(), attributes: Vec::new(), children: Vec::new(), drag: None };
         let mut dragging = Dragging::default();
         let mut given = Given::new();
@@ -153,8 +147,8 @@ impl Builder<'_, '_> {
         if !names.is_empty() {
             self.children(&mut element, names);
         } else if !is_label {
-            let words = part.title();
-            element.children.push(Child::Element(title(vec![Piece::Literal(words.text(self.language).to_owned())])));
+            let words = part.title.clone();
+            element.children.push(Child::Element(title(vec![Piece::Literal(words.text(self.language).into_owned())])));
             self.words.push(SceneText { generated: Some(words), ..SceneText::default() });
         }
         let mut drawn = self.draw_part(part, &given)?;
@@ -182,12 +176,7 @@ impl Builder<'_, '_> {
                 }
                 RawChild::Element(inner) if element.name == "style" || self.source(&inner.name) == "svg" => {
                     self.refuse(
-                        words!(
-                            "`<{}>` cannot contain `<{}>`",
-                            "`<{}>` no puede contener `<{}>`",
-                            element.name,
-                            self.source(&inner.name)
-                        ),
+                        words!("`<{}>` cannot contain `<{}>`", element.name, self.source(&inner.name)),
                         inner.name,
                         None,
                     );
@@ -199,11 +188,7 @@ impl Builder<'_, '_> {
                 RawChild::Text(text) => {
                     let text = crate::text::source::trim(self.expressions.source, text);
                     if !text.is_empty() {
-                        self.refuse(
-                            words("text is shown inside `<text>` only", "el texto solo se muestra dentro de `<text>`"),
-                            text,
-                            None,
-                        );
+                        self.refuse(words("text is shown inside `<text>` only"), text, None);
                     }
                 }
             }

@@ -28,26 +28,16 @@ impl Builder<'_, '_> {
         let index = self.index(range.clone())?;
         let Some(values) = self.whole_values(&index) else {
             self.refuse(
-                words(
-                    "the ends of an index must be whole numbers that never change",
-                    "los extremos de un índice deben ser números enteros que no cambian nunca",
-                ),
+                words("the ends of an index must be whole numbers that never change"),
                 range,
-                Some(words("write `i in 1..10`", "escribe `i in 1..10`")),
+                Some(words("write `i in 1..10`")),
             );
             return None;
         };
         let count = usize::try_from(values.end.saturating_sub(values.start)).unwrap_or(0);
         self.copied = self.copied.saturating_add(count);
         if self.copied > COPIES {
-            self.refuse(
-                words!(
-                    "the elements of a scene cannot have more than {COPIES} copies",
-                    "los elementos de una escena no pueden tener más de {COPIES} copias"
-                ),
-                range,
-                None,
-            );
+            self.refuse(words!("the elements of a scene cannot have more than {COPIES} copies"), range, None);
             return None;
         }
         Some((index, values))
@@ -85,10 +75,7 @@ impl Builder<'_, '_> {
         let mut pieces = Vec::new();
         if let Some(values) = self.whole_values(&index) {
             if values.end.saturating_sub(values.start) > POINTS {
-                let message = words!(
-                    "a line cannot have more than {POINTS} points",
-                    "una línea no puede tener más de {POINTS} puntos"
-                );
+                let message = words!("a line cannot have more than {POINTS} points");
                 self.refuse(message, rest, None);
                 return None;
             }
@@ -129,21 +116,18 @@ impl Builder<'_, '_> {
         });
         let Some(index) = parts else {
             self.refuse(
-                words(
-                    "an index is a name and its first and last value",
-                    "un índice es un nombre con su primer y su último valor",
-                ),
+                words("an index is a name and its first and last value"),
                 range,
-                Some(words("write `i in 1..10`", "escribe `i in 1..10`")),
+                Some(words("write `i in 1..10`")),
             );
             return None;
         };
         let name = self.source(&index.name).to_owned();
         if self.expressions.is_taken(&name) {
             self.refuse(
-                words!("`{name}` has a meaning already", "`{name}` ya tiene un significado"),
+                words!("`{name}` has a meaning already"),
                 index.name,
-                Some(words("choose another name for the index", "elige otro nombre para el índice")),
+                Some(words("choose another name for the index")),
             );
             return None;
         }

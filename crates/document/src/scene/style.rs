@@ -21,7 +21,7 @@ pub fn rules(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
     }
     let rest = crate::text::source::trim(source, at..range.end);
     if !rest.is_empty() {
-        diagnostics.push(refusal(words("the rule is not closed with `}`", "la regla no se cierra con `}`"), rest));
+        diagnostics.push(refusal(words("the rule is not closed with `}`"), rest));
     }
     allowed
 }
@@ -30,8 +30,6 @@ fn refusal(message: Words, range: Range<usize>) -> Diagnostic {
     Diagnostic::error("scene-style", message, Span::new(range.start, range.end)).with_hint(words(
         "a scene's style may set colours, strokes and fonts: `.spring { stroke: var(--accent) }`; it holds no values \
          of the model",
-        "el estilo de una escena puede fijar colores, trazos y letras: `.spring { stroke: var(--accent) }`; no contiene \
-         valores del modelo",
     ))
 }
 
@@ -41,15 +39,12 @@ type Refusal = (Words, Range<usize>);
 fn rule(source: &str, rule: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> Result<String, Refusal> {
     let text = &source[rule.clone()];
     let Some((selectors, declarations)) = text.split_once('{') else {
-        return Err((
-            words("a rule is `selector { property: value }`", "una regla es `selector { property: value }`"),
-            rule,
-        ));
+        return Err((words("a rule is `selector { property: value }`"), rule));
     };
     let selectors: Option<Vec<String>> = selectors.split(',').map(selector).collect();
     let Some(selectors) = selectors else {
         return Err((
-            words("this selector is not allowed in a scene", "este selector no se admite en una escena"),
+            words("this selector is not allowed in a scene"),
             rule.start..rule.start + text.len() - declarations.len() - 1,
         ));
     };
@@ -64,10 +59,7 @@ fn rule(source: &str, rule: Range<usize>, diagnostics: &mut Vec<Diagnostic>) -> 
         let (name, value) = declaration.split_once(':').unwrap_or((declaration, ""));
         let (name, value) = (name.trim(), value.trim());
         if !is_property(name) || !is_plain(value) {
-            return Err((
-                words!("`{}` cannot be set in a scene", "`{}` no se puede fijar en una escena", &source[range.clone()]),
-                range,
-            ));
+            return Err((words!("`{}` cannot be set in a scene", &source[range.clone()]), range));
         }
         if let Some(found) = misfit(name, value, Span::new(range.end - value.len(), range.end)) {
             diagnostics.push(found);
@@ -108,7 +100,7 @@ mod tests {
     fn check(style: &str, expected: &str, messages: &[&str]) {
         let mut diagnostics = Vec::new();
         assert_eq!(rules(style, 0..style.len(), &mut diagnostics), expected);
-        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| d.message.english()).collect::<Vec<_>>(), messages);
     }
 
     #[test]

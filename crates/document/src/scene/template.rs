@@ -43,15 +43,11 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
                     diagnostics.push(
                         Diagnostic::error(
                             "scene-brace",
-                            words!(
-                                "this `{letter}` has no partner on its line",
-                                "esta `{letter}` no tiene pareja en su línea"
-                            ),
+                            words!("this `{letter}` has no partner on its line"),
                             Span::new(at, at + 1),
                         )
                         .with_hint(words!(
-                            "an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`",
-                            "una expresión va entre `{{...}}`; para el propio carácter escribe `{letter}{letter}`"
+                            "an expression stands in `{{...}}`; for the character itself write `{letter}{letter}`"
                         )),
                     );
                     literal.push(letter);
@@ -111,12 +107,8 @@ fn read_entity(text: &str, place: Span, literal: &mut String, diagnostics: &mut 
         }
         _ => {
             diagnostics.push(
-                Diagnostic::error(
-                    "scene-syntax",
-                    words("this `&` begins no character", "este `&` no empieza ningún carácter"),
-                    place,
-                )
-                .with_hint(words("for the character itself write `&amp;`", "para el propio carácter escribe `&amp;`")),
+                Diagnostic::error("scene-syntax", words("this `&` begins no character"), place)
+                    .with_hint(words("for the character itself write `&amp;`")),
             );
             literal.push('&');
             1
@@ -143,7 +135,7 @@ mod tests {
             })
             .collect();
         assert_eq!(pieces, expected);
-        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| d.message.english()).collect::<Vec<_>>(), messages);
     }
 
     #[test]

@@ -28,7 +28,7 @@ impl SceneText {
     /// The text in another language, if there is one.
     fn translate(&self, texts: &mut Texts, language: Language) -> Option<Template> {
         if let Some(words) = &self.generated {
-            return Some(vec![Piece::Literal(words.text(language).to_owned())]);
+            return Some(vec![Piece::Literal(words.text(language).into_owned())]);
         }
         if self.key.is_empty() {
             return None;
@@ -49,10 +49,7 @@ impl SceneText {
         if template.is_none() {
             texts.refuse(Diagnostic::error(
                 "translation",
-                words(
-                    "the translation must contain the same `{expressions}` as the original",
-                    "la traducción debe contener las mismas `{expressions}` que el original",
-                ),
+                words("the translation must contain the same `{expressions}` as the original"),
                 span,
             ));
         }

@@ -49,10 +49,7 @@ impl Builder<'_, '_> {
         if in_attribute && compiled.value.kind == Kind::Text {
             self.expressions.error(
                 "not-a-number",
-                words(
-                    "an attribute can hold numbers only, and this is a text",
-                    "un atributo solo puede contener números, y esto es un texto",
-                ),
+                words("an attribute can hold numbers only, and this is a text"),
                 compiled.span,
             );
             return None;
@@ -69,14 +66,7 @@ impl Builder<'_, '_> {
             return known;
         }
         if self.values.len() == VALUES {
-            self.expressions.error(
-                "too-large",
-                words!(
-                    "a scene cannot have more than {VALUES} values",
-                    "una escena no puede tener más de {VALUES} valores"
-                ),
-                span,
-            );
+            self.expressions.error("too-large", words!("a scene cannot have more than {VALUES} values"), span);
             return None;
         }
         same.push(self.values.len());

@@ -97,7 +97,7 @@ impl Reader<'_> {
     /// Reports an element that ends at byte `end` without a closing tag.
     fn unclosed(&mut self, name: Range<usize>, end: usize) {
         let text = &self.source[name.clone()];
-        let message = words!("`<{text}>` is not closed", "`<{text}>` no se cierra");
+        let message = words!("`<{text}>` is not closed");
         let span = Span::new(name.start, name.end);
         let diagnostic = Diagnostic::error("scene-syntax", message, span);
         self.diagnostics.push(diagnostic.with_fix(Span::new(end, end), format!("</{text}>")));
@@ -118,25 +118,13 @@ impl Reader<'_> {
         let (length, message) = if let Some(comment) = rest.strip_prefix("<!--") {
             match comment.find("-->") {
                 Some(length) => (length + 7, None),
-                None => (rest.len(), Some(words("the comment is not closed", "el comentario no se cierra"))),
+                None => (rest.len(), Some(words("the comment is not closed"))),
             }
         } else if rest.starts_with("<!") || rest.starts_with("<?") {
             let length = rest.find('>').map_or(rest.len(), |end| end + 1);
-            (
-                length,
-                Some(words(
-                    "a scene holds elements and text only; this is left out",
-                    "una escena solo contiene elementos y texto; esto se omite",
-                )),
-            )
+            (length, Some(words("a scene holds elements and text only; this is left out")))
         } else if !rest[1..].starts_with(|c: char| c.is_ascii_alphabetic()) {
-            (
-                1,
-                Some(words(
-                    "this `<` begins no element; in text write `&lt;`",
-                    "este `<` no empieza ningún elemento; en un texto escribe `&lt;`",
-                )),
-            )
+            (1, Some(words("this `<` begins no element; in text write `&lt;`")))
         } else {
             return false;
         };
@@ -160,7 +148,7 @@ impl Reader<'_> {
         self.at += length;
         let text = &self.source[name.clone()];
         let Some(depth) = open.iter().skip(1).rposition(|element| &self.source[element.name.clone()] == text) else {
-            let message = words!("`</{text}>` closes nothing", "`</{text}>` no cierra nada");
+            let message = words!("`</{text}>` closes nothing");
             self.error(message, start..name.end);
             return;
         };
@@ -191,11 +179,7 @@ impl Reader<'_> {
                     break true;
                 }
                 None | Some('<') => {
-                    let message = words!(
-                        "the tag `<{}` is not closed with `>`",
-                        "la etiqueta `<{}` no se cierra con `>`",
-                        &self.source[name.clone()]
-                    );
+                    let message = words!("the tag `<{}` is not closed with `>`", &self.source[name.clone()]);
                     self.error(message, name.clone());
                     break false;
                 }
@@ -205,13 +189,7 @@ impl Reader<'_> {
         (element.opening.end, element.end) = (self.at, self.at);
         self.elements += 1;
         if self.elements == ELEMENTS + 1 {
-            self.error(
-                words!(
-                    "a scene cannot have more than {ELEMENTS} elements",
-                    "una escena no puede tener más de {ELEMENTS} elementos"
-                ),
-                name.clone(),
-            );
+            self.error(words!("a scene cannot have more than {ELEMENTS} elements"), name.clone());
         }
         let fits = self.elements <= ELEMENTS;
         if closed {
@@ -220,13 +198,7 @@ impl Reader<'_> {
             }
         } else if open.len() > DEPTH {
             // Its content is added to the enclosing element; its closing tag will be reported.
-            self.error(
-                words!(
-                    "elements cannot be nested deeper than {DEPTH} levels",
-                    "los elementos no se pueden anidar a más de {DEPTH} niveles"
-                ),
-                name,
-            );
+            self.error(words!("elements cannot be nested deeper than {DEPTH} levels"), name);
         } else {
             open.push(element);
         }
@@ -238,33 +210,19 @@ impl Reader<'_> {
         if name.is_empty() {
             let start = self.at;
             self.at += self.rest().chars().next().map_or(1, char::len_utf8);
-            self.error(
-                words(
-                    "an attribute was expected here: `name=\"value\"`",
-                    "aquí se esperaba un atributo: `name=\"value\"`",
-                ),
-                start..self.at,
-            );
+            self.error(words("an attribute was expected here: `name=\"value\"`"), start..self.at);
             return None;
         }
         self.skip_blanks();
         if !self.rest().starts_with('=') {
-            let message = words!(
-                "the attribute `{0}` has no value; write `{0}=\"...\"`",
-                "el atributo `{0}` no tiene valor; escribe `{0}=\"...\"`",
-                &self.source[name.clone()]
-            );
+            let message = words!("the attribute `{0}` has no value; write `{0}=\"...\"`", &self.source[name.clone()]);
             self.error(message, name);
             return None;
         }
         self.at += 1;
         self.skip_blanks();
         let Some(quote) = self.rest().chars().next().filter(|quote| matches!(quote, '"' | '\'')) else {
-            let message = words!(
-                "the value of `{}` must stand in quotation marks",
-                "el valor de `{}` debe ir entre comillas",
-                &self.source[name.clone()]
-            );
+            let message = words!("the value of `{}` must stand in quotation marks", &self.source[name.clone()]);
             self.error(message, name);
             self.at +=
                 self.rest().find(|c: char| c.is_whitespace() || matches!(c, '>' | '/')).unwrap_or(self.rest().len());
@@ -279,11 +237,7 @@ impl Reader<'_> {
         if self.at == self.end {
             // The closing quotation mark is missing: continue on the next line, to keep the rest of the scene.
             self.at = start + self.source[start..self.end].find('\n').unwrap_or(self.end - start);
-            let message = words!(
-                "the value of `{}` has no closing quotation mark",
-                "al valor de `{}` le faltan las comillas de cierre",
-                &self.source[name.clone()]
-            );
+            let message = words!("the value of `{}` has no closing quotation mark", &self.source[name.clone()]);
             self.error(message, name);
             return None;
         }
@@ -337,7 +291,7 @@ mod tests {
         let mut diagnostics = Vec::new();
         let children = parse(source, 0..source.len(), &mut diagnostics);
         assert_eq!(print(source, &children), expected);
-        assert_eq!(diagnostics.iter().map(|d| &*d.message.english).collect::<Vec<_>>(), messages);
+        assert_eq!(diagnostics.iter().map(|d| d.message.english()).collect::<Vec<_>>(), messages);
     }
 
     #[test]
@@ -378,7 +332,7 @@ mod tests {
         let mut diagnostics = Vec::new();
         let deep = "<g>".repeat(10_000);
         parse(&deep, 0..deep.len(), &mut diagnostics);
-        assert_eq!(diagnostics[0].message.english, "elements cannot be nested deeper than 32 levels");
+        assert_eq!(diagnostics[0].message.english(), "elements cannot be nested deeper than 32 levels");
         diagnostics.clear();
         let many = "<g/>".repeat(ELEMENTS + 5);
         assert_eq!(parse(&many, 0..many.len(), &mut diagnostics).len(), ELEMENTS);

@@ -161,41 +161,31 @@ fn ends_inside(source: &str, opening: &Opening, line: &Line) -> bool {
 
 fn unclosed(opening: &Opening, span: Span, next: Option<&Line>) -> Diagnostic {
     let marks: String = std::iter::repeat_n(opening.mark, opening.length).collect();
-    let message = words!("the `{}` block is not closed", "el bloque `{}` no se cierra", opening.word);
-    let diagnostic = Diagnostic::error("fence", message, span).saying(words("begins here", "empieza aquí"));
+    let message = words!("the `{}` block is not closed", opening.word);
+    let diagnostic = Diagnostic::error("fence", message, span).saying(words("begins here"));
     match next {
-        Some(next) => diagnostic.with_label(
-            Span::new(next.start, next.end),
-            words("and the next one begins inside it", "y el siguiente empieza dentro de él"),
-        ),
+        Some(next) => {
+            diagnostic.with_label(Span::new(next.start, next.end), words("and the next one begins inside it"))
+        }
         None => diagnostic,
     }
-    .with_hint(words!("end it with a line `{marks}`", "termínalo con una línea `{marks}`"))
+    .with_hint(words!("end it with a line `{marks}`"))
 }
 
 /// Reports a block with another name of a kind. It is read as that kind, to avoid errors that follow from the first.
 fn other_word(source: &str, opening: &Opening, span: Span, kind: BlockKind) -> Diagnostic {
     let (written, ours) = (opening.word, kind.word());
-    let message = words!(
-        "there is no block `{written}`: this one is called `{ours}`",
-        "no hay ningún bloque `{written}`: este se llama `{ours}`"
-    );
+    let message = words!("there is no block `{written}`: this one is called `{ours}`");
     let at = span.start + source[span.range()].find(written).unwrap_or_default();
     let place = Span::new(at, at + written.len());
-    Diagnostic::error("unknown-fence", message, place)
-        .with_hint(words!("write `{ours}`", "escribe `{ours}`"))
-        .with_fix(place, ours)
+    Diagnostic::error("unknown-fence", message, place).with_hint(words!("write `{ours}`")).with_fix(place, ours)
 }
 
 fn warn_of_near_kind(source: &str, opening: &Opening, span: Span, diagnostics: &mut Vec<Diagnostic>) {
     let known = BlockKind::FENCED.map(BlockKind::word);
     if let Some(near) = nearest(opening.word, known) {
-        let message = words!(
-            "a `{}` block is shown as code and means nothing else",
-            "un bloque `{}` se muestra como código y no significa nada más",
-            opening.word
-        );
-        let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
+        let message = words!("a `{}` block is shown as code and means nothing else", opening.word);
+        let hint = words!("did you mean `{near}`?");
         let mut diagnostic = Diagnostic::warning("unknown-fence", message, span).with_hint(hint);
         if let Some(at) = source[span.range()].find(opening.word).map(|at| span.start + at) {
             diagnostic = diagnostic.with_fix(Span::new(at, at + opening.word.len()), near);
@@ -214,7 +204,7 @@ mod tests {
             .into_iter()
             .map(|block| format!("{} {:?}", block.kind.word(), &source[block.content.range()]))
             .collect();
-        (blocks, diagnostics.into_iter().map(|d| d.message.english.into_owned()).collect())
+        (blocks, diagnostics.into_iter().map(|d| d.message.english()).collect())
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub fn limited(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
     }
     sort_by_key(&mut found, |diagnostic| diagnostic.span().start);
     if let Some(last) = found.last().filter(|_| more > 0) {
-        let message = words!("{more} more findings are not listed", "otros {more} hallazgos no se muestran");
+        let message = words!("{more} more findings are not listed");
         found.push(Diagnostic::warning("more-findings", message, last.span()));
     }
     found

@@ -35,11 +35,7 @@ pub fn read(source: &str) -> Outline<'_> {
     let is_too_long = source.len() > LENGTH;
     if is_too_long {
         let end = source.chars().next().map_or(0, char::len_utf8);
-        let message = words!(
-            "a document cannot be longer than {LENGTH} bytes; this one has {}",
-            "un documento no puede tener más de {LENGTH} bytes; este tiene {}",
-            source.len()
-        );
+        let message = words!("a document cannot be longer than {LENGTH} bytes; this one has {}", source.len());
         layout.push(Diagnostic::error("too-large", message, Span::new(0, end)));
     }
     let source = if is_too_long { "" } else { source };

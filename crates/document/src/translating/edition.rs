@@ -19,15 +19,8 @@ impl File<'_> {
         document.translations.push(self.outline.source().to_owned());
         let Some(language) = self.outline.front_matter().get("language").cloned() else {
             self.diagnostics.push(
-                Diagnostic::error(
-                    "translation",
-                    words("the translation does not say its language", "la traducción no dice su idioma"),
-                    Span::new(0, 0),
-                )
-                .with_hint(words(
-                    "its front matter must have a line such as `language: es`",
-                    "su cabecera debe tener una línea como `language: es`",
-                )),
+                Diagnostic::error("translation", words("the translation does not say its language"), Span::new(0, 0))
+                    .with_hint(words("its front matter must have a line such as `language: es`")),
             );
             return;
         };
@@ -36,8 +29,7 @@ impl File<'_> {
             return;
         }
         if program.languages().any(|known| known == language.text) {
-            let message =
-                words!("the document exists in `{}` already", "el documento ya existe en `{}`", language.text);
+            let message = words!("the document exists in `{}` already", language.text);
             self.diagnostics.push(Diagnostic::error("translation", message, language.span));
             return;
         }
@@ -62,11 +54,7 @@ impl File<'_> {
         });
         found.extend(warnings);
         found.extend(surplus.into_iter().map(|span| {
-            Diagnostic::error(
-                "translation",
-                words!("the original has {} questions only", "el original solo tiene {} preguntas", numbers.len()),
-                span,
-            )
+            Diagnostic::error("translation", words!("the original has {} questions only", numbers.len()), span)
         }));
         if let Some(original) = program.editions.first() {
             for question in numbers.iter().skip(written).filter_map(|number| *number) {
@@ -113,21 +101,17 @@ impl File<'_> {
             BlockKind::Check,
         ] {
             for block in self.outline.blocks_of(kind) {
-                let message =
-                    words!("a translation has no `{}` of its own", "una traducción no tiene `{}` propio", kind.word());
+                let message = words!("a translation has no `{}` of its own", kind.word());
                 found.push(
-                    Diagnostic::error("translation", message, block.head())
-                        .with_hint(words("the original's is used", "se usa el del original")),
+                    Diagnostic::error("translation", message, block.head()).with_hint(words("the original's is used")),
                 );
             }
         }
         for key in ["method", "step", "until", "speed", "tolerance", "vary", "main", "assignment"] {
             if let Some(value) = self.outline.front_matter().get(key) {
-                let message =
-                    words!("`{key}` in a translation means nothing", "`{key}` no significa nada en una traducción");
+                let message = words!("`{key}` in a translation means nothing");
                 found.push(
-                    Diagnostic::warning("translation", message, value.span)
-                        .with_hint(words("the original's is used", "se usa el del original")),
+                    Diagnostic::warning("translation", message, value.span).with_hint(words("the original's is used")),
                 );
             }
         }

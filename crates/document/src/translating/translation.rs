@@ -30,25 +30,16 @@ impl Texts {
             let span = Span::new(statement.start, statement.end);
             let Some((original, text)) = entry(source, statement) else {
                 self.diagnostics.push(
-                    Diagnostic::error(
-                        "translation",
-                        words("a translation is a text, `=` and a text", "una traducción es un texto, `=` y un texto"),
-                        span,
-                    )
-                    .with_hint(words(
-                        "write `\"Damping\" = \"Amortiguamiento\"`",
-                        "escribe `\"Damping\" = \"Amortiguamiento\"`",
-                    )),
+                    Diagnostic::error("translation", words("a translation is a text, `=` and a text"), span)
+                        .with_hint(words("write `\"Damping\" = \"Amortiguamiento\"`")),
                 );
                 continue;
             };
             let original = normalised(original);
             if let Some(first) = self.entries.get(&original) {
-                let message = words!("\"{original}\" is translated twice", "«{original}» se traduce dos veces");
-                self.diagnostics.push(
-                    Diagnostic::error("translation", message, span)
-                        .with_label(first.span, words("here first", "aquí primero")),
-                );
+                let message = words!("\"{original}\" is translated twice");
+                self.diagnostics
+                    .push(Diagnostic::error("translation", message, span).with_label(first.span, words("here first")));
                 continue;
             }
             self.entries.insert(original, Entry { text: text.to_owned(), span });
@@ -77,26 +68,23 @@ impl Texts {
             if self.known.contains(original) {
                 continue;
             }
-            let message =
-                words!("the document has no text \"{original}\"", "el documento no tiene ningún texto «{original}»");
+            let message = words!("the document has no text \"{original}\"");
             let mut diagnostic = Diagnostic::warning("translation", message, entry.span);
             let near = nearest(original, self.missing.iter().map(String::as_str));
-            diagnostic.hints.extend(near.map(|near| words!("did you mean \"{near}\"?", "¿querías decir «{near}»?")));
+            diagnostic.hints.extend(near.map(|near| words!("did you mean \"{near}\"?")));
             self.diagnostics.push(diagnostic);
         }
         if !self.missing.is_empty() {
             let message = match self.missing.len() {
-                1 => words("a text has no translation", "un texto no tiene traducción"),
-                number => words!("{number} texts have no translation", "{number} textos no tienen traducción"),
+                1 => words("a text has no translation"),
+                number => words!("{number} texts have no translation"),
             };
             let mut diagnostic = Diagnostic::warning("untranslated", message, place);
             for text in self.missing.iter().take(20) {
-                diagnostic = diagnostic.with_note(words!("\"{text}\"", "«{text}»"));
+                diagnostic = diagnostic.with_note(words!("\"{text}\""));
             }
-            self.diagnostics.push(diagnostic.with_hint(words(
-                "add them to a `translations` block: `\"Damping\" = \"...\"`",
-                "añádelos a un bloque `translations`: `\"Damping\" = \"...\"`",
-            )));
+            self.diagnostics
+                .push(diagnostic.with_hint(words("add them to a `translations` block: `\"Damping\" = \"...\"`")));
         }
         self.diagnostics
     }

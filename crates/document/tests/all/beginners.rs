@@ -45,14 +45,14 @@ fn message(text: &str, found: &Diagnostic) -> String {
         (1 + text[..span.start].matches('\n').count(), text[..span.start].rfind('\n').map_or(0, |at| at + 1));
     let column = 1 + text[start..span.start].chars().count();
     let place = text[span.range()].lines().next().unwrap_or_default();
-    let mut message = format!("{line}:{column} `{place}`: {}\n", found.message.english);
+    let mut message = format!("{line}:{column} `{place}`: {}\n", found.message.english());
     for words in found.notes.iter().chain(&found.hints) {
-        for line in words.english.lines() {
+        for line in words.english().lines() {
             writeln!(message, "    {line}").unwrap();
         }
     }
     for fix in &found.fixes {
-        writeln!(message, "    [{}]", fix.title(text).english).unwrap();
+        writeln!(message, "    [{}]", fix.title(text).english()).unwrap();
     }
     message
 }

@@ -11,7 +11,7 @@ const NODES: usize = 250_000;
 fn open(text: String) -> (Vec<String>, Option<Program>) {
     let open = move || {
         let opened = document::open(&text, &[]);
-        let messages = opened.diagnostics.iter().map(|(_, found)| found.message.english.to_string()).collect();
+        let messages = opened.diagnostics.iter().map(|(_, found)| found.message.english()).collect();
         (messages, opened.document.map(|document| document.program))
     };
     std::thread::Builder::new().stack_size(1 << 20).spawn(open).unwrap().join().unwrap()

@@ -8,7 +8,7 @@ const MODEL: &str = "```model\nparameter h = 2 [m] in 0..9 \"Height\"\ny'' = -9.
 /// The document, and `FILE: MESSAGE` for each diagnostic.
 fn open(source: &str, translations: &[&str]) -> (Option<Document>, Vec<String>) {
     let opened = document::open(source, translations);
-    let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message.english)).collect();
+    let findings = opened.diagnostics.iter().map(|(file, d)| format!("{file}: {}", d.message.english())).collect();
     (opened.document, findings)
 }
 
@@ -287,7 +287,7 @@ fn a_switch_and_a_choice_have_no_range_to_sweep_and_seeds_are_whole() {
              ```plots\n\"Sweep\": x at end against {name} in {range}\n```\n"
         );
         let found: Vec<String> =
-            document::open(&source, &[]).diagnostics.iter().map(|(_, one)| one.message.english.to_string()).collect();
+            document::open(&source, &[]).diagnostics.iter().map(|(_, one)| one.message.english()).collect();
         match message {
             Some(message) => assert!(found.iter().any(|found| found.contains(message)), "{name}: {found:?}"),
             None => assert_eq!(found, [""; 0], "{name}"),

@@ -64,21 +64,22 @@ fn print(source: &str, diagnostic: &Diagnostic) -> String {
         Severity::Error => "error",
         Severity::Warning => "warning",
     };
-    let mut text = format!("{severity}: {}\n", diagnostic.message.english);
+    let mut text = format!("{severity}: {}\n", diagnostic.message.english());
     for label in &diagnostic.labels {
         let start = source[..label.span.start].rfind('\n').map_or(0, |at| at + 1);
         let end = source[start..].find('\n').map_or(source.len(), |length| start + length);
         let before = source[start..label.span.start].chars().count();
         let marked = source[label.span.start..label.span.end.clamp(label.span.start, end)].chars().count().max(1);
         text += &format!("  {}\n", &source[start..end]);
-        text += format!("  {}{} {}", " ".repeat(before), "^".repeat(marked), label.text.english).trim_end();
+        text += format!("  {}{} {}", " ".repeat(before), "^".repeat(marked), label.text.english()).trim_end();
         text += "\n";
     }
     for note in &diagnostic.notes {
-        text += &note.english.lines().map(|line| format!("  {line}").trim_end().to_owned() + "\n").collect::<String>();
+        text +=
+            &note.english().lines().map(|line| format!("  {line}").trim_end().to_owned() + "\n").collect::<String>();
     }
     for hint in &diagnostic.hints {
-        text += &format!("hint: {}\n", hint.english);
+        text += &format!("hint: {}\n", hint.english());
     }
     text
 }

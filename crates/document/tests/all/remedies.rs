@@ -82,7 +82,9 @@ fn problem(line: &str) -> Option<String> {
     if only.code != *code || &wrong[only.span().range()] != *place {
         return Some(format!("{} at `{}`", only.code, &wrong[only.span().range()]));
     }
-    if only.message.english == only.message.spanish || only.hints.iter().any(|hint| hint.english == hint.spanish) {
+    if only.message.english() == only.message.text(catalogues::with(Language::Spanish))
+        || only.hints.iter().any(|hint| hint.english() == hint.text(catalogues::with(Language::Spanish)))
+    {
         return Some("not said in both languages".to_owned());
     }
     let number: usize = number.parse().ok()?;
@@ -92,7 +94,7 @@ fn problem(line: &str) -> Option<String> {
         let line = text.lines().zip(BASE.lines()).find(|(now, base)| now != base);
         return Some(format!("the remedy gives {line:?}"));
     }
-    let left: Vec<String> = findings(&text).iter().map(|found| found.message.english.to_string()).collect();
+    let left: Vec<String> = findings(&text).iter().map(|found| found.message.english()).collect();
     // The SI value can be outside the range of the parameter, which is then reported.
     let is_of_range = left.iter().all(|said| said.contains("cannot have this value")) && number == 2;
     (!left.is_empty() && !is_of_range).then(|| format!("after the remedy: {left:?}"))
@@ -100,7 +102,7 @@ fn problem(line: &str) -> Option<String> {
 
 #[test]
 fn the_base_has_no_fault() {
-    let said: Vec<_> = findings(BASE).into_iter().map(|found| (found.code, found.message.english)).collect();
+    let said: Vec<_> = findings(BASE).into_iter().map(|found| (found.code, found.message.english())).collect();
     assert_eq!(said, []);
 }
 

@@ -36,7 +36,7 @@ pub fn names() -> Vec<String> {
 pub fn faultless(name: &str) -> Document {
     let (_, opened) = open(name);
     let findings: Vec<String> = (opened.diagnostics.iter())
-        .map(|(file, d)| format!("{file}: {} at {:?} {:?} {:?}", d.message.english, d.span(), d.notes, d.hints))
+        .map(|(file, d)| format!("{file}: {} at {:?} {:?} {:?}", d.message.english(), d.span(), d.notes, d.hints))
         .collect();
     assert_eq!(findings, [""; 0], "{name}");
     opened.document.unwrap()

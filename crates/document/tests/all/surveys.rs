@@ -8,7 +8,7 @@ const SPANISH: &str = include_str!("../../../../tests/page/surveyed.es.md");
 
 fn opened(source: &str, translations: &[&str]) -> (Program, Vec<String>) {
     let opened = open(source, translations);
-    let findings = opened.diagnostics.iter().map(|(file, one)| format!("{file}: {}", one.message.english)).collect();
+    let findings = opened.diagnostics.iter().map(|(file, one)| format!("{file}: {}", one.message.english())).collect();
     (opened.document.expect("a model without errors").program, findings)
 }
 

@@ -27,7 +27,7 @@ fn theory(name: &str) -> Document {
     let read = |file: String| std::fs::read_to_string(folder().join(&file)).unwrap_or_else(|_| panic!("{file}"));
     let opened = document::open(&read(format!("{name}.md")), &[&read(format!("{name}.es.md"))]);
     let findings: Vec<String> = (opened.diagnostics.iter())
-        .map(|(file, d)| format!("{file}: {} at {:?} {:?} {:?}", d.message.english, d.span(), d.notes, d.hints))
+        .map(|(file, d)| format!("{file}: {} at {:?} {:?} {:?}", d.message.english(), d.span(), d.notes, d.hints))
         .collect();
     assert_eq!(findings, [""; 0], "{name}");
     opened.document.unwrap()

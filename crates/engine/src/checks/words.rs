@@ -13,26 +13,20 @@ const FEW: usize = 2;
 pub fn claim_outcome(program: &Program, claim: &Claim, outcome: &Outcome) -> Words {
     match (&outcome.verdict, &outcome.worst) {
         (Verdict::Stopped(error), _) => {
-            words!(
-                "the run stops: {stopped}",
-                "la simulación se detiene: {stopped}",
-                stopped = error.message(&program.model)
-            )
+            words!("the run stops: {stopped}", stopped = error.message(&program.model))
         }
-        (Verdict::NotReached, _) => words("the run ends before", "la simulación termina antes"),
-        (Verdict::TooLong, _) => {
-            words("not decided: the run takes too much computing", "sin decidir: la simulación exige demasiado cálculo")
-        }
-        (Verdict::Held, None) => words("true", "se cumple"),
-        (Verdict::Failed, None) => words("not true", "no se cumple"),
+        (Verdict::NotReached, _) => words("the run ends before"),
+        (Verdict::TooLong, _) => words("not decided: the run takes too much computing"),
+        (Verdict::Held, None) => words("true"),
+        (Verdict::Failed, None) => words("not true"),
         (_, Some(worst)) => {
             let at = moment(&program.model, worst.time);
             match worst.measured {
-                None => words!("not true at {at}", "no se cumple en {at}", at = at),
+                None => words!("not true at {at}"),
                 Some(measured) => {
                     let said = said(program, claim, &measured, &at);
                     match claim.moment {
-                        Moment::Always => words!("at worst {said}", "en el peor caso {said}", said = said),
+                        Moment::Always => words!("at worst {said}"),
                         _ => said,
                     }
                 }
@@ -43,8 +37,8 @@ pub fn claim_outcome(program: &Program, claim: &Claim, outcome: &Outcome) -> Wor
 
 /// The independent variable as text, for example `t = 3.2 s`; `time` in SI units.
 pub fn moment(model: &Model, time: f64) -> Words {
-    let (name, unit) = (&model.independent.name, &model.independent.unit);
-    Words::each(|language| format!("{name} = {}", quantity(time, unit, DIGITS, language)))
+    let (name, unit) = (model.independent.name.clone(), model.independent.unit.clone());
+    Words::each(move |language| format!("{name} = {}", quantity(time, &unit, DIGITS, language)))
 }
 
 fn said(program: &Program, claim: &Claim, measured: &Measured, at: &Words) -> Words {
@@ -64,46 +58,28 @@ fn said(program: &Program, claim: &Claim, measured: &Measured, at: &Words) -> Wo
             )
         }
     };
-    let number = |si: f64| Words::each(|language| quantity(si, unit, DIGITS, language));
-    let distance = |off: f64| Words::each(|language| difference(off, unit, relative, language));
+    let number = |si: f64| {
+        let unit = unit.clone();
+        Words::each(move |language| quantity(si, &unit, DIGITS, language))
+    };
+    let distance = |off: f64| {
+        let unit = unit.clone();
+        Words::each(move |language| difference(off, &unit, relative, language))
+    };
     let (value, expected) = (number(measured.value), number(measured.expected));
     let off = distance(measured.off);
     let allowed = measured.allowed.map(distance).unwrap_or_else(|| Words::same(""));
     match &claim.test {
-        Test::Near { .. } => words!(
-            "{value} at {at}; expected {expected}, off by {off} ({allowed} allowed)",
-            "{value} en {at}; se espera {expected}, difiere en {off} (se admite {allowed})",
-            value = value,
-            at = at,
-            expected = expected,
-            off = off,
-            allowed = allowed
-        ),
+        Test::Near { .. } => words!("{value} at {at}; expected {expected}, off by {off} ({allowed} allowed)",),
         Test::HalvedStep { .. } if program.method.unwrap_or_default().adaptive() => words!(
             "{value} at {at}; with a tenth of the tolerance {expected}, a change of {off} (less than {allowed} claimed)",
-            "{value} en {at}; con un décimo de la tolerancia {expected}, un cambio de {off} (se afirma menos de {allowed})",
-            value = value,
-            at = at,
-            expected = expected,
-            off = off,
-            allowed = allowed
         ),
-        Test::HalvedStep { .. } => words!(
-            "{value} at {at}; with half the step {expected}, a change of {off} (less than {allowed} claimed)",
-            "{value} en {at}; con la mitad del paso {expected}, un cambio de {off} (se afirma menos de {allowed})",
-            value = value,
-            at = at,
-            expected = expected,
-            off = off,
-            allowed = allowed
-        ),
-        Test::Holds { .. } => words!(
-            "{value} at {at}, compared with {expected}",
-            "{value} en {at}, comparado con {expected}",
-            value = value,
-            at = at,
-            expected = expected
-        ),
+        Test::HalvedStep { .. } => {
+            words!("{value} at {at}; with half the step {expected}, a change of {off} (less than {allowed} claimed)",)
+        }
+        Test::Holds { .. } => {
+            words!("{value} at {at}, compared with {expected}")
+        }
     }
 }
 

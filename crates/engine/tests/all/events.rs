@@ -71,7 +71,7 @@ fn nothing_falls_through_the_floor_and_infinitely_many_bounces_stop_the_run() {
             assert!(lowest >= 0.0, "{method}, e = {e}: {lowest:e}");
             let error = error.unwrap_or_else(|| panic!("{method}, e = {e}: no end"));
             assert_eq!(error.code(), "too-many-events", "{method}, e = {e}: {error}");
-            let message = error.message(&model).english;
+            let message = error.message(&model).english();
             assert!(message.starts_with("more than 1000 events in a hundredth of a step, at t = "), "{message}");
             assert_eq!(error.subject(), Some(Subject::Event(0)));
             let end = (2.0 / 9.8_f64).sqrt() * (1.0 + 2.0 * e / (1.0 - e));

@@ -80,8 +80,8 @@ fn velocity_verlet_refuses_equations_of_other_orders() {
     ] {
         let model = model(text);
         let error = Run::start(&model, setup(&model, Method::VelocityVerlet, 0.1)).expect_err("refused");
-        assert_eq!((error.code(), &*error.message(&model).english), ("not-second-order", message));
-        assert_eq!(error.hint().english, "use the method Runge-Kutta (rk4)");
+        assert_eq!((error.code(), &*error.message(&model).english()), ("not-second-order", message));
+        assert_eq!(error.hint().english(), "use the method Runge-Kutta (rk4)");
         assert!(matches!(error.subject(), Some(Subject::State(_))));
     }
 }

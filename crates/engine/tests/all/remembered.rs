@@ -63,7 +63,7 @@ fn an_event_ends_the_run() {
         let end = (0..10).find_map(|_| run.advance().err()).expect("an end");
         assert!(end.is_end() && (end.time - 1.0).abs() < 1e-9, "{method}: {end}");
         assert_eq!(end.subject(), Some(Subject::Event(0)));
-        assert!(end.message(&model).english.ends_with(": landing"), "{:?}", end.message(&model));
+        assert!(end.message(&model).english().ends_with(": landing"), "{:?}", end.message(&model));
         let rows = run.history().len();
         assert_eq!(run.history().time(rows - 1), end.time, "{method}");
         assert_eq!(run.state()[2], 1.0, "{method}: the actions beside it are carried out");

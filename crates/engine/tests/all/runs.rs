@@ -192,7 +192,7 @@ fn messages_name_the_state_and_the_time() {
         let model = model(text);
         let mut run = Run::start(&model, setup(&model, method, 0.1)).unwrap();
         let error = (0..100).find_map(|_| run.advance().err()).unwrap_or_else(|| panic!("{text}"));
-        assert_eq!(error.message(&model).english, message);
+        assert_eq!(error.message(&model).english(), message);
     }
 }
 
@@ -215,7 +215,11 @@ fn a_setup_that_makes_no_sense_is_refused() {
     ] {
         let error = Run::start(&model, setup.clone()).expect_err(code);
         assert_eq!(error.code(), code, "{setup:?}");
-        assert!(!error.message(&model).spanish.is_empty() && !error.hint().spanish.is_empty(), "{setup:?}");
+        assert!(
+            !error.message(&model).text(catalogues::with(units::Language::Spanish)).is_empty()
+                && !error.hint().text(catalogues::with(units::Language::Spanish)).is_empty(),
+            "{setup:?}"
+        );
     }
 }
 
@@ -225,7 +229,7 @@ fn too_much_work_for_one_row_is_given_up() {
     let mut run = Run::start(&model, setup(&model, Method::DormandPrince, 1.0)).unwrap();
     let error = run.advance().unwrap_err();
     assert_eq!(error.code(), "too-many-steps");
-    assert_eq!(error.hint().english, "if the equations are stiff, use the method Rosenbrock");
+    assert_eq!(error.hint().english(), "if the equations are stiff, use the method Rosenbrock");
 }
 
 #[test]

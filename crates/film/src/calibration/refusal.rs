@@ -19,21 +19,13 @@ impl Refusal {
     /// Message: what happened, and what to do.
     pub fn words(self) -> Words {
         match self {
-            Self::Close => words(
-                "The marks lie too close together. Choose marks that are far apart.",
-                "Las marcas están demasiado juntas. Elige marcas alejadas.",
-            ),
-            Self::Length => words(
-                "A length must be positive. Enter a length such as 10 cm.",
-                "Una longitud debe ser positiva. Escribe una como 10 cm.",
-            ),
+            Self::Close => words("The marks lie too close together. Choose marks that are far apart."),
+            Self::Length => words("A length must be positive. Enter a length such as 10 cm."),
             Self::Corners => words(
                 "The four points are not the corners of a rectangle. Click them in order: bottom left, bottom right, top right, top left.",
-                "Los cuatro puntos no son las esquinas de un rectángulo. Púlsalas en orden: abajo izquierda, abajo derecha, arriba derecha, arriba izquierda.",
             ),
             Self::Marks => words(
                 "No regular marks were found between the two points. Check the number of intervals, or use the two marks alone.",
-                "No se encontraron marcas regulares entre los dos puntos. Comprueba el número de intervalos o usa solo las dos marcas.",
             ),
         }
     }

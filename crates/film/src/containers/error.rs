@@ -46,7 +46,6 @@ pub enum FilmError {
 /// Advice to convert the film to a supported format.
 const CONVERT: Words = words(
     "convert it to MP4 with H.264 without changing its times, for instance with `ffmpeg -i FILM -fps_mode passthrough -c:v libx264 -pix_fmt yuv420p FILM.mp4`",
-    "conviértelo a MP4 con H.264 sin cambiar sus tiempos, por ejemplo con `ffmpeg -i VIDEO -fps_mode passthrough -c:v libx264 -pix_fmt yuv420p VIDEO.mp4`",
 );
 
 /// File size as text, such as `15 MB`.
@@ -62,69 +61,39 @@ impl FilmError {
     /// Message: the fault and its remedy.
     pub fn words(&self) -> Words {
         match self {
-            Self::Empty => words("the file is empty; copy it again", "el archivo está vacío; cópialo de nuevo"),
-            Self::NotAFilm => words(
-                "the file is not a film; MP4, MOV, WebM, MKV and AVI are read",
-                "el archivo no es un vídeo; se leen MP4, MOV, WebM, MKV y AVI",
-            ),
+            Self::Empty => words("the file is empty; copy it again"),
+            Self::NotAFilm => words("the file is not a film; MP4, MOV, WebM, MKV and AVI are read"),
             Self::Gif => words(
                 "this is an animated GIF, whose times are rounded to 0.01 s; use the film that it was made from, or convert it to MP4 if there is none",
-                "es un GIF animado, cuyos tiempos están redondeados a 0,01 s; usa el vídeo del que se hizo o, si no lo hay, conviértelo a MP4",
             ),
-            Self::Picture => words(
-                "this is a picture, not a film; MP4, MOV, WebM, MKV and AVI are read",
-                "es una imagen, no un vídeo; se leen MP4, MOV, WebM, MKV y AVI",
-            ),
+            Self::Picture => words("this is a picture, not a film; MP4, MOV, WebM, MKV and AVI are read"),
             Self::OtherFormat(name) => {
-                words!(
-                    "{name} films are not read; {convert}",
-                    "no se leen vídeos {name}; {convert}",
-                    name = Words::same(*name),
-                    convert = CONVERT
-                )
+                words!("{name} films are not read; {convert}", name = Words::same(*name), convert = CONVERT)
             }
-            Self::NoVideo => words(
-                "the file holds no video; if it is a sound recording, choose the film instead",
-                "el archivo no contiene vídeo; si es una grabación de sonido, elige el vídeo",
-            ),
+            Self::NoVideo => words("the file holds no video; if it is a sound recording, choose the film instead"),
             Self::NoFrames => words(
                 "the video in the file has no frames; the recording was stopped at once or the file is cut off: copy or record it again",
-                "el vídeo del archivo no tiene fotogramas; la grabación se detuvo enseguida o el archivo está cortado: cópialo o grábalo de nuevo",
             ),
-            Self::Encrypted => words(
-                "the film is encrypted and cannot be read; use a film of your own camera",
-                "el vídeo está cifrado y no se puede leer; usa uno de tu propia cámara",
-            ),
+            Self::Encrypted => words("the film is encrypted and cannot be read; use a film of your own camera"),
             Self::NoDecoder(Codec { coding: Coding::Hevc, .. }) => words(
                 "the film is coded in HEVC (H.265), which this browser cannot decode. iPhones film in HEVC unless Settings > Camera > Formats is set to Most Compatible: set it so and film again, or convert the film to MP4 with H.264",
-                "el vídeo está codificado en HEVC (H.265), que este navegador no puede decodificar. Los iPhone graban en HEVC salvo que en Ajustes > Cámara > Formatos se elija «Más compatible»: elígelo y graba de nuevo, o convierte el vídeo a MP4 con H.264",
             ),
             Self::NoDecoder(codec) => words!(
                 "the film is coded in {name}, which this browser cannot decode; the program `meniscus track` reads it with ffmpeg, or {convert}",
-                "el vídeo está codificado en {name}, que este navegador no puede decodificar; el programa `meniscus track` lo lee con ffmpeg, o {convert}",
                 name = Words::same(codec.label().to_owned()),
                 convert = CONVERT
             ),
             Self::Truncated { bytes } => words!(
                 "the file ends after {} and before the list of its frames, without which they cannot be found; copy it again, or, if the recording was interrupted, repair it with a tool such as `untrunc`",
-                "el archivo termina tras {} y antes de la lista de sus fotogramas, sin la cual no se encuentran; cópialo de nuevo o, si la grabación se interrumpió, repáralo con una herramienta como `untrunc`",
                 size(*bytes)
             ),
             Self::Damaged { part } => words!(
                 "the file is damaged: its part `{part}` contradicts itself; copy it again, or {convert}",
-                "el archivo está dañado: su parte «{part}» se contradice; cópialo de nuevo o {convert}",
                 part = Words::same(*part),
                 convert = CONVERT
             ),
-            Self::Packed => words!(
-                "the frames are packed in a way that is not read; {convert}",
-                "los fotogramas están empaquetados de un modo que no se lee; {convert}",
-                convert = CONVERT
-            ),
-            Self::TooLarge => words!(
-                "the film has more than {MOST_SAMPLES} frames; cut out the part that you need",
-                "el vídeo tiene más de {MOST_SAMPLES} fotogramas; recorta la parte que necesites"
-            ),
+            Self::Packed => words!("the frames are packed in a way that is not read; {convert}", convert = CONVERT),
+            Self::TooLarge => words!("the film has more than {MOST_SAMPLES} frames; cut out the part that you need"),
         }
     }
 }

@@ -34,37 +34,24 @@ impl Notice {
         match self {
             Self::Truncated { present, lost: 0, bytes } => words!(
                 "the file ends in the middle of the film: {present} frames in {} were read; if it was being copied, copy it again",
-                "el archivo termina en medio del vídeo: se leyeron {present} fotogramas en {}; si se copió a medias, cópialo de nuevo",
                 size(*bytes)
             ),
             Self::Truncated { present, lost, bytes } => {
                 let listed = present.saturating_add(*lost);
                 words!(
                     "the file ends in the middle of the film: of {listed} frames, {present} are in its {} and were read; copy it again to get the others",
-                    "el archivo termina en medio del vídeo: de {listed} fotogramas, {present} están en sus {} y se leyeron; cópialo de nuevo para tener los demás",
                     size(*bytes)
                 )
             }
-            Self::Broken { at } => words!(
-                "the file is damaged at byte {at}; the frames before it were read",
-                "el archivo está dañado en el byte {at}; se leyeron los fotogramas anteriores"
-            ),
-            Self::FurtherVideos(1) => words(
-                "the file holds a second video, which is not read",
-                "el archivo contiene otro vídeo, que no se lee",
-            ),
-            Self::FurtherVideos(count) => words!(
-                "the file holds {count} further videos, which are not read",
-                "el archivo contiene otros {count} vídeos, que no se leen"
-            ),
-            Self::Speed => words(
-                "the film was edited so that a part plays faster or slower; the times are those of the recording",
-                "el vídeo se editó para que una parte vaya más rápida o más lenta; los tiempos son los de la grabación",
-            ),
-            Self::Skewed => words(
-                "the film asks for its picture to be turned by an odd angle; it is shown as it was recorded",
-                "el vídeo pide girar la imagen un ángulo que no es recto; se muestra como se grabó",
-            ),
+            Self::Broken { at } => words!("the file is damaged at byte {at}; the frames before it were read"),
+            Self::FurtherVideos(1) => words("the file holds a second video, which is not read"),
+            Self::FurtherVideos(count) => words!("the file holds {count} further videos, which are not read"),
+            Self::Speed => {
+                words("the film was edited so that a part plays faster or slower; the times are those of the recording")
+            }
+            Self::Skewed => {
+                words("the film asks for its picture to be turned by an odd angle; it is shown as it was recorded")
+            }
         }
     }
 }

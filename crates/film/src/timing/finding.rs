@@ -73,73 +73,63 @@ pub enum Finding {
 impl Finding {
     /// Message of one sentence.
     pub fn words(&self) -> Words {
-        let number = |value: f64| Words::each(|language| fixed(value, 2, language.style()));
+        let number = |value: f64| Words::each(move |language| fixed(value, 2, language.style()));
         match *self {
             Self::Rate { rate, spread } => words!(
                 "{rate} frames/s, intervals spread by {spread} ms",
-                "{rate} fotogramas/s, con una dispersión de los intervalos de {spread} ms",
                 rate = number(rate),
-                spread =
-                    Words::each(|language| fixed(spread * 1e3, if spread < 9.5e-5 { 2 } else { 1 }, language.style()))
+                spread = Words::each(move |language| fixed(
+                    spread * 1e3,
+                    if spread < 9.5e-5 { 2 } else { 1 },
+                    language.style()
+                ))
             ),
             Self::Variable { rate, slowest, fastest } => words!(
                 "variable frame rate: {rate} frames/s in the mean, from {slowest} to {fastest}; each frame keeps its own time",
-                "frecuencia variable: {rate} fotogramas/s de media, de {slowest} a {fastest}; cada fotograma conserva su propio tiempo",
                 rate = number(rate),
                 slowest = number(slowest),
                 fastest = number(fastest)
             ),
-            Self::Rounded => words(
-                "the file stores times in whole milliseconds, a standard error of 0.3 ms for each frame",
-                "el archivo guarda los tiempos en milisegundos enteros, un error estándar de 0,3 ms para cada fotograma",
-            ),
+            Self::Rounded => {
+                words("the file stores times in whole milliseconds, a standard error of 0.3 ms for each frame")
+            }
             Self::Gap { missing: 1, time } => {
-                words!("a gap of 1 frame at {time} s", "falta 1 fotograma en {time} s", time = number(time))
+                words!("a gap of 1 frame at {time} s", time = number(time))
             }
             Self::Gap { missing, time } => words!(
                 "a gap of {missing} frames at {time} s",
-                "faltan {missing} fotogramas en {time} s",
                 missing = Words::same(missing.to_string()),
                 time = number(time)
             ),
-            Self::MoreGaps { gaps, missing } => words!(
-                "further gaps: {gaps}, with {missing} missing frames in all",
-                "más huecos: {gaps}, en los que faltan {missing} fotogramas en total"
-            ),
+            Self::MoreGaps { gaps, missing } => words!("further gaps: {gaps}, with {missing} missing frames in all"),
             Self::Doubled { count: 1, time } => words!(
                 "a frame has the same time as the one before, {time} s; leave one of them out",
-                "un fotograma tiene el mismo tiempo que el anterior, {time} s; excluye uno de los dos",
                 time = number(time)
             ),
             Self::Doubled { count, time } => words!(
                 "{count} frames have the same time as the one before, the first at {time} s; leave them out",
-                "{count} fotogramas tienen el mismo tiempo que el anterior, el primero en {time} s; exclúyelos",
                 count = Words::same(count.to_string()),
                 time = number(time)
             ),
             Self::Stated { stated, measured } => words!(
                 "the file states {stated} frames/s, its times give {measured}; the times are used",
-                "el archivo declara {stated} fotogramas/s y sus tiempos dan {measured}; se usan los tiempos",
                 stated = number(stated),
                 measured = number(measured)
             ),
             Self::SlowMotion { captured, shown, factor } if factor >= 1.0 => words!(
                 "slow motion: taken at {captured} frames/s, shown at {shown}; times are divided by {factor}. Check it against a known time, such as a fall",
-                "cámara lenta: grabado a {captured} fotogramas/s y mostrado a {shown}; los tiempos se dividen por {factor}. Compruébalo con un tiempo conocido, como el de una caída",
                 captured = number(captured),
                 shown = number(shown),
-                factor = Words::each(|language| plain(factor, 4, language.style()))
+                factor = Words::each(move |language| plain(factor, 4, language.style()))
             ),
             Self::SlowMotion { captured, shown, factor } => words!(
                 "time lapse: taken at {captured} frames/s, shown at {shown}; times are multiplied by {factor}",
-                "cámara rápida: grabado a {captured} fotogramas/s y mostrado a {shown}; los tiempos se multiplican por {factor}",
-                captured = Words::each(|language| plain(captured, 3, language.style())),
+                captured = Words::each(move |language| plain(captured, 3, language.style())),
                 shown = number(shown),
-                factor = Words::each(|language| plain(1.0 / factor, 4, language.style()))
+                factor = Words::each(move |language| plain(1.0 / factor, 4, language.style()))
             ),
             Self::Repeated { count, of } => words!(
-                "{count} of {of} frames repeat the picture before, with wrong times; leave them out, or use the original film",
-                "{count} de {of} fotogramas repiten la imagen anterior, con tiempos erróneos; exclúyelos o usa el vídeo original"
+                "{count} of {of} frames repeat the picture before, with wrong times; leave them out, or use the original film"
             ),
         }
     }

@@ -1,5 +1,6 @@
 //! Errors of tracking.
 
+use units::number::fixed;
 use units::{Words, words};
 
 /// Reason why a film, or one of its frames, cannot be tracked.
@@ -87,68 +88,62 @@ impl Refusal {
     pub fn words(&self) -> Words {
         match self {
             Self::Click { x, y } => words!(
-                "The point ({x:.1}, {y:.1}) lies outside the picture. Click inside the picture.",
-                "El punto ({x:.1}, {y:.1}) está fuera de la imagen. Pulsa dentro de la imagen."
+                "The point ({x}, {y}) lies outside the picture. Click inside the picture.",
+                x = rounded(*x, 1),
+                y = rounded(*y, 1)
             ),
             Self::Tube { length, least } => words!(
-                "The two points of the tube are {length:.1} pixels apart. Choose points at least {least:.0} pixels apart.",
-                "Los dos puntos del tubo distan {length:.1} píxeles. Elige puntos a {least:.0} píxeles como mínimo."
+                "The two points of the tube are {length} pixels apart. Choose points at least {least} pixels apart.",
+                length = rounded(*length, 1),
+                least = rounded(*least, 0)
             ),
             Self::Size { frame } => words!(
                 "Frame {frame} does not have the size of the first one. Cut the film there and track each part.",
-                "El fotograma {frame} no tiene el tamaño del primero. Corta ahí el vídeo y sigue cada parte.",
                 frame = counted(*frame)
             ),
             Self::Order { frame } => words!(
                 "The time of frame {frame} does not follow that of the frame before it. Convert the film with ffmpeg.",
-                "El tiempo del fotograma {frame} no sigue al del anterior. Convierte el vídeo con ffmpeg.",
                 frame = counted(*frame)
             ),
-            Self::Long { frames } => words!(
-                "The film is too long to be tracked at once. Choose a part of at most {frames} frames.",
-                "El vídeo es demasiado largo para seguirlo de una vez. Elige una parte de {frames} fotogramas como máximo."
-            ),
-            Self::Short { frames } => words!(
-                "Tracking needs at least {frames} frames. Choose a longer part of the film.",
-                "El seguimiento necesita al menos {frames} fotogramas. Elige una parte más larga del vídeo."
-            ),
-            Self::Plain => words(
-                "The picture is uniform at the clicked place. Click an edge that moves.",
-                "La imagen es uniforme en el punto elegido. Pulsa un borde que se mueva.",
-            ),
+            Self::Long { frames } => {
+                words!("The film is too long to be tracked at once. Choose a part of at most {frames} frames.")
+            }
+            Self::Short { frames } => {
+                words!("Tracking needs at least {frames} frames. Choose a longer part of the film.")
+            }
+            Self::Plain => words("The picture is uniform at the clicked place. Click an edge that moves."),
             Self::PlainDisc { radius } => words!(
-                "The picture is uniform around the clicked place, within the radius of {radius:.0} px. Enter a larger radius, or click an edge that moves.",
-                "La imagen es uniforme alrededor del punto elegido, dentro del radio de {radius:.0} px. Escribe un radio mayor o pulsa un borde que se mueva."
+                "The picture is uniform around the clicked place, within the radius of {radius} px. Enter a larger radius, or click an edge that moves.",
+                radius = rounded(*radius, 0)
             ),
             Self::Noise { frame } => words!(
                 "The clicked place in frame {frame} does not stand out of the noise of the film. Click the edge of the surface.",
-                "El punto elegido en el fotograma {frame} no sobresale del ruido del vídeo. Pulsa el borde de la superficie.",
                 frame = counted(*frame)
             ),
             Self::Left { frame } => words!(
                 "The other frames do not show what was clicked in frame {frame}. Click the edge of the surface where it is sharp.",
-                "Los demás fotogramas no muestran lo elegido en el fotograma {frame}. Pulsa el borde de la superficie donde se vea nítido.",
                 frame = counted(*frame)
             ),
-            Self::PlainMark { number } => words!(
-                "The picture is uniform at mark {number}. Choose marks with an edge on all sides, such as dots.",
-                "La imagen es uniforme en la marca {number}. Elige marcas con borde por todos lados, como puntos."
-            ),
+            Self::PlainMark { number } => {
+                words!("The picture is uniform at mark {number}. Choose marks with an edge on all sides, such as dots.")
+            }
             Self::Mark { number, frame } => words!(
                 "Mark {number} cannot be found in frame {frame}. Choose marks that stay in the picture.",
-                "La marca {number} no se encuentra en el fotograma {frame}. Elige marcas que no salgan de la imagen.",
                 frame = counted(*frame)
             ),
             Self::Radius { least, greatest } => words!(
-                "The radius of a body must be a number from {least:.0} to {greatest:.0} px in this picture. Correct it, or clear it to find it around the click.",
-                "El radio de un cuerpo debe ser un número de {least:.0} a {greatest:.0} px en esta imagen. Corrígelo, o bórralo para hallarlo alrededor del clic."
+                "The radius of a body must be a number from {least} to {greatest} px in this picture. Correct it, or clear it to find it around the click.",
+                least = rounded(*least, 0),
+                greatest = rounded(*greatest, 0)
             ),
-            Self::Many { greatest } => words!(
-                "There are more than {greatest} marks. Choose at most {greatest}.",
-                "Hay más de {greatest} marcas. Elige {greatest} como máximo."
-            ),
+            Self::Many { greatest } => words!("There are more than {greatest} marks. Choose at most {greatest}."),
         }
     }
+}
+
+/// Number of pixels with this many decimals.
+fn rounded(pixels: f64, decimals: usize) -> Words {
+    Words::each(move |language| fixed(pixels, decimals, language.style()))
 }
 
 /// Frame number for the user, from 1.

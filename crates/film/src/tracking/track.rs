@@ -53,19 +53,16 @@ impl Track {
     pub fn camera(&self) -> Vec<Words> {
         let exposure = self.exposure.map(|exposure| match exposure {
             Exposure::Seconds(seconds) => {
-                words!("exposure: {ms} ms", "exposición: {ms} ms", ms = milliseconds(seconds))
+                words!("exposure: {ms} ms", ms = milliseconds(seconds))
             }
-            Exposure::Under(seconds) => words!(
-                "exposure: under {ms} ms, too short to smear the picture",
-                "exposición: menos de {ms} ms, demasiado corta para emborronar la imagen",
-                ms = milliseconds(seconds)
-            ),
+            Exposure::Under(seconds) => {
+                words!("exposure: under {ms} ms, too short to smear the picture", ms = milliseconds(seconds))
+            }
         });
         // A given readout time has no error and needs no note.
         let readout = self.readout.filter(|readout| readout.sigma > 0.0).map(|readout| {
             words!(
                 "rolling shutter: {ms} ± {sigma} ms from the first row to the last; times are corrected for it",
-                "obturador rodante: {ms} ± {sigma} ms de la primera fila a la última; los tiempos están corregidos",
                 ms = milliseconds(readout.seconds),
                 sigma = milliseconds(readout.sigma)
             )
@@ -76,7 +73,7 @@ impl Track {
 }
 
 fn milliseconds(seconds: f64) -> Words {
-    Words::each(|language| fixed(1e3 * seconds, 1, language.style()))
+    Words::each(move |language| fixed(1e3 * seconds, 1, language.style()))
 }
 
 /// Motion of the camera.
@@ -90,8 +87,7 @@ impl CameraShift {
     fn words(self) -> Words {
         words!(
             "the picture moved by up to {px} px: the camera was not still; positions are corrected by the background. A plain background, or one with regular lines, can mislead: marks on things at rest make it certain",
-            "la imagen se movió hasta {px} px: la cámara no estaba quieta; las posiciones están corregidas según el fondo. Un fondo liso, o con líneas regulares, puede engañar: unas marcas en cosas inmóviles dan seguridad",
-            px = Words::each(|language| fixed(self.pixels, 1, language.style()))
+            px = Words::each(move |language| fixed(self.pixels, 1, language.style()))
         )
     }
 }

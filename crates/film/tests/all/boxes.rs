@@ -220,7 +220,7 @@ fn codings_without_a_decoder_in_browsers_are_named() {
         assert_eq!((film.codec.coding, film.codec.label()), (coding, label));
         assert!(!coding.is_in_browsers());
         let refusal = FilmError::NoDecoder(film.codec).words();
-        for text in [&refusal.english, &refusal.spanish] {
+        for text in [refusal.english(), refusal.text(catalogues::with(units::Language::Spanish)).into_owned()] {
             assert!(text.contains(label) && text.contains("ffmpeg -i") && text.contains("`meniscus track`"), "{text}");
         }
     }

@@ -136,6 +136,6 @@ fn a_file_that_is_shorter_than_its_size_says_what_is_there() {
     let cut = reading.result.unwrap();
     assert!(cut.samples.len() < whole.samples.len() && cut.samples[..] == whole.samples[..cut.samples.len()]);
     let words = cut.notices[0].words();
-    assert!(words.english.contains(&format!("{} frames in 2 kB", cut.samples.len())), "{words:?}");
+    assert!(words.english().contains(&format!("{} frames in 2 kB", cut.samples.len())), "{words:?}");
     assert!(reading.requests < 4 && reading.bytes < 20_000);
 }

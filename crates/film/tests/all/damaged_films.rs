@@ -30,7 +30,10 @@ fn check(file: &[u8]) {
             assert!(!times.is_empty() && times.iter().all(|time| time.is_finite()) && times.is_sorted());
             assert!(film.notices.iter().all(|notice| !notice.words().is_empty()));
         }
-        Err(error) => assert!(!error.words().english.is_empty() && !error.words().spanish.is_empty()),
+        Err(error) => assert!(
+            !error.words().english().is_empty()
+                && !error.words().text(catalogues::with(units::Language::Spanish)).is_empty()
+        ),
     }
 }
 
@@ -108,9 +111,9 @@ fn what_is_no_film_says_what_to_do() {
         (&packets, FilmError::OtherFormat("MPEG-TS"), "ffmpeg"),
     ] {
         assert_eq!(open(file), Err(error.clone()));
-        assert!(error.words().english.contains(word), "{error:?}");
+        assert!(error.words().english().contains(word), "{error:?}");
     }
     let hevc = FilmError::NoDecoder(open(&bytes("hevc.mp4")).unwrap().codec).words();
-    assert!(hevc.english.contains("Settings > Camera > Formats") && hevc.english.contains("Most Compatible"));
-    assert!(hevc.spanish.contains("Ajustes > Cámara > Formatos"));
+    assert!(hevc.english().contains("Settings > Camera > Formats") && hevc.english().contains("Most Compatible"));
+    assert!(hevc.text(catalogues::with(units::Language::Spanish)).contains("Ajustes > Cámara > Formatos"));
 }

@@ -113,7 +113,7 @@ fn assert_corrected(film: &Filmed, far: f64) {
     let (track, shift) = followed(&taken);
     let name = format!("{:?} {:?} {}", film.bump, film.drift, film.texture);
     assert!(shift.is_some_and(|shift| (shift - far).abs() < 0.5), "{name}: {shift:?}");
-    assert!(track.camera().iter().any(|note| note.english.starts_with("the picture moved by up to ")), "{name}");
+    assert!(track.camera().iter().any(|note| note.english().starts_with("the picture moved by up to ")), "{name}");
     for point in track.points {
         let error = point.position[1] - taken.truth[point.frame][1];
         assert!(error.abs() < 0.7 || point.doubtful, "{name}, frame {}: {error}", point.frame);

@@ -6,7 +6,7 @@ use film::timing::{Finding, Intervals, TimeBase, slow_motion};
 /// Every finding on a list of times, in English.
 fn english(times: &[f64], stated: Option<f64>) -> Vec<String> {
     let findings = Intervals::of(times).unwrap().findings(stated);
-    findings.iter().map(|finding| finding.words().english.into_owned()).collect()
+    findings.iter().map(|finding| finding.words().english()).collect()
 }
 
 fn steady(count: usize, rate: f64) -> Vec<f64> {
@@ -21,7 +21,7 @@ fn regular_films() {
     let intervals = Intervals::of(&uneven).unwrap();
     assert!((intervals.rate - 29.97).abs() < 1e-3 && (intervals.spread - 0.245e-3).abs() < 1e-5, "{intervals:?}");
     assert!(!intervals.is_variable() && intervals.gaps.is_empty());
-    let spanish = intervals.findings(None)[0].words().spanish;
+    let spanish = intervals.findings(None)[0].words().text(catalogues::with(units::Language::Spanish)).into_owned();
     assert_eq!(spanish, "29,97 fotogramas/s, con una dispersión de los intervalos de 0,2 ms");
 }
 

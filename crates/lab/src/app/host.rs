@@ -6,7 +6,7 @@ use desk::{Announcement, Desk};
 use play::{Embedding, Play};
 use units::Language;
 use view::browser;
-use view::page::message::Message;
+use view::page::{message::Message, texts};
 use view::panel::tabs;
 use view::stage::brush::Part;
 use view::views::*;
@@ -125,6 +125,10 @@ impl Host for Store {
         if let Some(mut desk) = self.desk() {
             desk.set_language(language.tag());
         }
+    }
+
+    fn texts(&self) -> &'static str {
+        texts::LABORATORY
     }
 
     fn stem(&self) -> String {

@@ -18,7 +18,7 @@ const MOST_ROWS: usize = 100;
 /// The sentence for a text that is no power, or for a parameter that no group held fixed.
 pub fn asked(app: App, x: &str, y: &str) -> Result<Vec<Against>, String> {
     let language = app.language.get_untracked();
-    let power = |text: &str| Power::parse(text).map_err(|why| why.text(language).to_owned());
+    let power = |text: &str| Power::parse(text).map_err(|why| why.text(language).into_owned());
     let x = power(x)?;
     let y = if y.trim().is_empty() { None } else { Some(power(y)?) };
     let found: Vec<Against> = app.class.read_quantities(Part::Against, |quantities: &[Quantity]| {

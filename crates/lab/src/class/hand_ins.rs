@@ -59,7 +59,7 @@ pub fn view(app: App) -> View {
         });
         each(copies, |(is_common, text)| p().class(if is_common { "note" } else { "refusal" }).child(text))
     };
-    View::from((changing(table), changing(more), changing(copies), note(meaning().text(language).to_owned())))
+    View::from((changing(table), changing(more), changing(copies), note(meaning().text(language).into_owned())))
 }
 
 fn rows(collection: &Collection, most: usize, language: Language) -> Vec<Row> {

@@ -51,20 +51,20 @@ pub fn brief(app: App, text: &str, diagnostic: &Diagnostic, carry_out: CarryOut)
         diagnostic.fixes.iter().map(|fix| fix_button(app, text, fix, (carry_out.clone(), 0)).into()).collect();
     div()
         .class(class)
-        .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
+        .child(p().class("what").child(with_code(&capitalised(&diagnostic.message.text(language)))).child("."))
         .each(&diagnostic.hints, |hint| hint_of(app, hint))
         .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
 }
 
 fn hint_of(app: App, hint: &Words) -> HtmlP {
-    let hint = with_code(hint.text(app.language.get_untracked()));
+    let hint = with_code(&hint.text(app.language.get_untracked()));
     p().class("remedy").child(strong().child(app.words().help).child(": ")).child(hint)
 }
 
 /// Button that applies a remedy to the file with this index.
 fn fix_button(app: App, text: &str, fix: &Fix, (carry_out, file): (CarryOut, usize)) -> HtmlButton {
     let own = fix.clone();
-    let title = with_code(&capitalised(fix.title(text).text(app.language.get_untracked())));
+    let title = with_code(&capitalised(&fix.title(text).text(app.language.get_untracked())));
     button().class("quiet outlined fix").when(events::click, move |_| carry_out(file, &own)).child(title)
 }
 
@@ -81,7 +81,7 @@ fn finding(
     };
     let (text, name) = source.map_or(("", ""), |(name, text)| (text, name));
     let places = if source.is_some() { places(text, &diagnostic.labels, language) } else { Vec::new() };
-    let note = |note: &Words| pre().tabindex("0").class("reason").child(with_code(note.text(language)));
+    let note = |note: &Words| pre().tabindex("0").class("reason").child(with_code(&note.text(language)));
     let fixes = leads.as_ref().and_then(|(leads, file)| Some((leads.fix.clone()?, *file)));
     let fix = |fix: &Fix| Some(fix_button(app, text, fix, fixes.clone()?));
     let fixes: Vec<View> = diagnostic.fixes.iter().filter_map(fix).map(View::from).collect();
@@ -89,7 +89,7 @@ fn finding(
     article()
         .class(class)
         .child(h3().child(span().class("badge").child(kind)).child(" ").child(title))
-        .child(p().class("what").child(with_code(&capitalised(diagnostic.message.text(language)))).child("."))
+        .child(p().class("what").child(with_code(&capitalised(&diagnostic.message.text(language)))).child("."))
         .each(places, |place| place.view(app, name, leads.clone()))
         .each(&diagnostic.notes, note)
         .each(&diagnostic.hints, |hint| hint_of(app, hint))
@@ -171,7 +171,7 @@ impl Place {
         pieces.push((text[at..last].to_owned(), false));
         let remark = |label: &&Label| {
             let (start, end) = span(label);
-            (text[start..end].to_owned(), label.text.text(language).to_owned())
+            (text[start..end].to_owned(), label.text.text(language).into_owned())
         };
         let remarks = labels.iter().filter(|label| !label.text.is_empty()).map(remark).collect();
         let start = labels.iter().map(|label| span(label).0).min().unwrap_or(first);

@@ -5,17 +5,12 @@ use units::Language;
 
 /// Title for the code of a diagnostic.
 pub fn title(code: &str, language: Language) -> &'static str {
-    let (english, spanish) = of(code);
-    language.pick(english, spanish)
-}
-
-fn of(code: &str) -> (&'static str, &'static str) {
     match code {
         // Units and dimensions.
-        "dimension-mismatch" => ("Dimensions do not match", "Las dimensiones no concuerdan"),
-        "type-mismatch" => ("Wrong kind of value", "Clase de valor incorrecta"),
-        "undetermined-dimension" => ("The dimension is not determined", "La dimensión no está determinada"),
-        "dimension-too-large" => ("The dimension is too large", "La dimensión es demasiado grande"),
+        "dimension-mismatch" => language.say("Dimensions do not match"),
+        "type-mismatch" => language.say("Wrong kind of value"),
+        "undetermined-dimension" => language.say("The dimension is not determined"),
+        "dimension-too-large" => language.say("The dimension is too large"),
         "missing-unit"
         | "unit-without-brackets"
         | "unit-without-number"
@@ -29,7 +24,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "bare-number"
         | "bare-tolerance"
         | "radians"
-        | "temperature-scale" => ("Units", "Unidades"),
+        | "temperature-scale" => language.say("Units"),
 
         // Writing.
         "unclosed-parenthesis"
@@ -40,10 +35,10 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "unmatched-brace"
         | "missing-parentheses"
         | "missing-braces"
-        | "scene-brace" => ("Brackets do not match", "Los paréntesis no concuerdan"),
-        "unclosed-text" => ("Quotation marks do not match", "Las comillas no concuerdan"),
-        "malformed-number" | "number-too-large" | "not-a-number" | "decimal-comma" => ("Numbers", "Números"),
-        "foreign-derivative" | "foreign-power" | "foreign-loop" | "argument-separator" => ("Notation", "Notación"),
+        | "scene-brace" => language.say("Brackets do not match"),
+        "unclosed-text" => language.say("Quotation marks do not match"),
+        "malformed-number" | "number-too-large" | "not-a-number" | "decimal-comma" => language.say("Numbers"),
+        "foreign-derivative" | "foreign-power" | "foreign-loop" | "argument-separator" => language.say("Notation"),
         "unexpected-token"
         | "unexpected-character"
         | "unknown-word"
@@ -68,19 +63,17 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "index-not-whole"
         | "index-range"
         | "size-value"
-        | "size-range" => ("This cannot be read", "Esto no se puede leer"),
+        | "size-range" => language.say("This cannot be read"),
 
         // Names.
-        "unknown-name" | "unknown-function" => ("Unknown name", "Nombre desconocido"),
-        "wrong-argument-count" => ("Wrong number of arguments", "Número de argumentos incorrecto"),
+        "unknown-name" | "unknown-function" => language.say("Unknown name"),
+        "wrong-argument-count" => language.say("Wrong number of arguments"),
         "duplicate-name"
         | "duplicate-key"
         | "duplicate-independent"
         | "duplicate-initial-value"
-        | "duplicate-action" => ("Defined twice", "Definido dos veces"),
-        "reserved-name" | "reserved-word" | "name-character" => {
-            ("This name cannot be used", "Este nombre no se puede usar")
-        }
+        | "duplicate-action" => language.say("Defined twice"),
+        "reserved-name" | "reserved-word" | "name-character" => language.say("This name cannot be used"),
         "component-of-number"
         | "component-at-start"
         | "component-defined"
@@ -94,25 +87,19 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "vector-for-number"
         | "vector-in-function"
         | "vector-power"
-        | "vector-product" => ("Vectors", "Vectores"),
-        "aggregate-inside" | "function-form" | "unused-argument" | "argument-without-name" => {
-            ("Functions", "Funciones")
-        }
-        "table-comma" | "table-form" | "table-order" | "table-points" => ("Tables", "Tablas"),
-        "not-a-choice" | "choice-form" | "choice-incomplete" | "switch-value" => {
-            ("Switches and choices", "Interruptores y elecciones")
-        }
-        "draw-out-of-place" | "draw-without-seed" | "duplicate-seed" | "seed" => ("Chance", "Azar"),
+        | "vector-product" => language.say("Vectors"),
+        "aggregate-inside" | "function-form" | "unused-argument" | "argument-without-name" => language.say("Functions"),
+        "table-comma" | "table-form" | "table-order" | "table-points" => language.say("Tables"),
+        "not-a-choice" | "choice-form" | "choice-incomplete" | "switch-value" => language.say("Switches and choices"),
+        "draw-out-of-place" | "draw-without-seed" | "duplicate-seed" | "seed" => language.say("Chance"),
         "counts-by" | "next-in-a-flow" | "next-value" | "duplicate-next" | "rate-in-a-map" => {
-            ("Discrete steps", "Pasos discretos")
+            language.say("Discrete steps")
         }
-        "group-name" | "empty-group" | "hidden-form" | "button-title" | "button-for" => ("Controls", "Controles"),
-        "discrete-text" | "discrete-truth" | "discrete-without-value" => {
-            ("Discrete quantities", "Magnitudes discretas")
-        }
-        "not-a-condition" => ("Conditions", "Condiciones"),
-        "cycle" => ("Circular definition", "Definición circular"),
-        "prime-after-expression" | "prime-of-constant" | "too-many-primes" => ("Derivatives", "Derivadas"),
+        "group-name" | "empty-group" | "hidden-form" | "button-title" | "button-for" => language.say("Controls"),
+        "discrete-text" | "discrete-truth" | "discrete-without-value" => language.say("Discrete quantities"),
+        "not-a-condition" => language.say("Conditions"),
+        "cycle" => language.say("Circular definition"),
+        "prime-after-expression" | "prime-of-constant" | "too-many-primes" => language.say("Derivatives"),
 
         // Parameters, initial values, equations, events.
         "parameter-range"
@@ -126,9 +113,9 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "hidden-parameter"
         | "varies"
         | "vary"
-        | "main" => ("Parameters", "Parámetros"),
+        | "main" => language.say("Parameters"),
         "assigned-form" | "assigned-out-of-range" | "assigned-step" | "assigned-values" | "assignment" => {
-            ("Assigned values", "Valores asignados")
+            language.say("Assigned values")
         }
         "missing-initial-value"
         | "initial-value-of-highest"
@@ -137,7 +124,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "initial-value-without-equation"
         | "initial-value-varies"
         | "initial-value-of-definition"
-        | "initial-not-finite" => ("Initial values", "Valores iniciales"),
+        | "initial-not-finite" => language.say("Initial values"),
         "too-few-equations"
         | "too-many-equations"
         | "equations-dependent"
@@ -146,7 +133,7 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "nonlinear-highest-derivative"
         | "nothing-to-solve-for"
         | "order-too-high"
-        | "not-second-order" => ("The equations cannot be solved", "Las ecuaciones no se pueden resolver"),
+        | "not-second-order" => language.say("The equations cannot be solved"),
         "event-action"
         | "event-changes-no-state"
         | "event-at-equality"
@@ -154,35 +141,35 @@ fn of(code: &str) -> (&'static str, &'static str) {
         | "true-at-the-start"
         | "set-twice"
         | "interval-of-zero"
-        | "let-of-known-name" => ("Events", "Sucesos"),
+        | "let-of-known-name" => language.say("Events"),
         "sign-as-friction"
         | "friction-without-effect"
         | "friction-of-friction"
         | "friction-not-linear"
         | "friction-outside"
-        | "friction-at-start" => ("Dry friction", "Rozamiento seco"),
+        | "friction-at-start" => language.say("Dry friction"),
         "too-large"
         | "model-too-large"
         | "too-deep"
         | "too-many-coupled-equations"
         | "too-many-events"
-        | "too-many-switches" => ("Too large", "Demasiado grande"),
+        | "too-many-switches" => language.say("Too large"),
 
         // Document around the model.
-        "no-model" => ("There is no model", "No hay modelo"),
+        "no-model" => language.say("There is no model"),
         "front-matter" | "setting" | "unknown-key" | "empty-key" | "language" | "step-not-positive"
-        | "unknown-method" | "bad-tolerance" => ("Settings at the top", "Ajustes del encabezado"),
-        "fence" | "unknown-fence" => ("Blocks of the document", "Bloques del documento"),
-        "translation" | "untranslated" => ("Translation", "Traducción"),
-        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" => ("Scene", "Escena"),
-        "plot-syntax" | "constant-abscissa" | "sweep" => ("Plots", "Gráficas"),
-        "preset-syntax" => ("Presets", "Valores predefinidos"),
-        "check-syntax" | "check-constant" | "true-by-definition" => ("Checks", "Comprobaciones"),
-        "question-syntax" => ("Questions", "Preguntas"),
-        "survey-syntax" => ("Survey", "Encuesta"),
-        "link" | "image" | "raw-html" | "math" => ("Text", "Texto"),
-        "more-findings" => ("More messages", "Más mensajes"),
-        _ => ("The document", "El documento"),
+        | "unknown-method" | "bad-tolerance" => language.say("Settings at the top"),
+        "fence" | "unknown-fence" => language.say("Blocks of the document"),
+        "translation" | "untranslated" => language.say("Translation"),
+        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" => language.say("Scene"),
+        "plot-syntax" | "constant-abscissa" | "sweep" => language.say("Plots"),
+        "preset-syntax" => language.say("Presets"),
+        "check-syntax" | "check-constant" | "true-by-definition" => language.say("Checks"),
+        "question-syntax" => language.say("Questions"),
+        "survey-syntax" => language.say("Survey"),
+        "link" | "image" | "raw-html" | "math" => language.say("Text"),
+        "more-findings" => language.say("More messages"),
+        _ => language.say("The document"),
     }
 }
 

@@ -43,7 +43,7 @@ pub fn next(app: App) {
     let Some(doubt) = next else { return };
     go(app, doubt.frame);
     let words = words::of(app);
-    let why = doubt.doubt.words().text(app.language.get_untracked()).to_owned();
+    let why = doubt.doubt.words().text(app.language.get_untracked()).into_owned();
     app.say(format!("{} {}: {why}", words.frame, doubt.frame + 1));
 }
 

@@ -5,7 +5,7 @@ use crate::app::App;
 
 /// Text of an error.
 pub fn said(app: App, trouble: &Trouble) -> String {
-    trouble.words().text(app.language.get_untracked()).to_owned()
+    trouble.words().text(app.language.get_untracked()).into_owned()
 }
 
 /// Shows a refusal, if any.

@@ -46,11 +46,8 @@ async fn carrying(app: App, page: String, work: Project) -> String {
         Err(_) => Vec::new(),
     };
     if facts.iter().all(|fact| fact.part != Part::Fit) {
-        let why = words(
-            "This page does not carry its data, because they are too long. It cannot be verified.",
-            "Esta página no lleva sus datos, porque son demasiado largos. No se puede comprobar.",
-        );
-        return carry_nothing(&page, why.text(language), language);
+        let why = words("This page does not carry its data, because they are too long. It cannot be verified.");
+        return carry_nothing(&page, &why.text(language), language);
     }
     let sender = sender(app, String::new());
     let (program, made) = (env!("CARGO_PKG_VERSION").to_owned(), js_sys::Date::now() as u64);

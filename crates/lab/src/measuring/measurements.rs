@@ -44,7 +44,7 @@ fn ways_in(app: App) -> View {
         }
     };
     let names = app.read_desk(|desk| desk.sample_names().to_vec());
-    let choose = |(number, name): (usize, &'static str)| {
+    let choose = |(number, name): (usize, String)| {
         button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
     };
     let read_chosen = move |_| {

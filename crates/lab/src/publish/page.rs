@@ -122,6 +122,11 @@ async fn player() -> Option<String> {
     {
         carried::run_file(&address).await?;
     }
-    let module = browser::wait(Opening::of_page()?.module()?).await.ok()?.as_string()?;
-    page::with_module(&carried::inflated(&part).await?, &module)
+    let (template, opening) = (carried::inflated(&part).await?, Opening::of_page()?);
+    let mut texts = Vec::new();
+    for id in page::part_ids(&template) {
+        let text = browser::wait(opening.part(&id)?).await.ok()?.as_string()?;
+        texts.push((id, text));
+    }
+    Some(page::with_parts(&template, &texts))
 }

@@ -20,15 +20,15 @@ const ID: &str = "verified";
 const MOST_LISTED: usize = 200;
 
 table_of_words! {
-    title: "Verification", "Comprobación";
-    close: "Close", "Cerrar";
-    computing: "The values are being computed again ...", "Se están calculando de nuevo los valores ...";
-    holds: "Every value follows from the data.", "Todos los valores se siguen de los datos.";
-    fails: "Not every value follows from the data.", "No todos los valores se siguen de los datos.";
-    more: "Further differences: #", "Otras diferencias: #";
-    open: "Open this work", "Abrir este trabajo";
-    to_class: "Add to the class", "Añadir a la clase";
-    open_title: "Opens the document with its records, fits and answers", "Abre el documento con sus series de datos, ajustes y respuestas";
+    title: "Verification";
+    close: "Close";
+    computing: "The values are being computed again ...";
+    holds: "Every value follows from the data.";
+    fails: "Not every value follows from the data.";
+    more: "Further differences: #";
+    open: "Open this work";
+    to_class: "Add to the class";
+    open_title: "Opens the document with its records, fits and answers";
 }
 
 /// Verifies a file that should be a hand-in.
@@ -122,7 +122,7 @@ fn content(app: App, verified: Verified) -> View {
         p().role("status").id("verdict").child(verdict).child(" ").child(summary),
         ul().id("differences").each(listed, |line| li().attr("dir", "auto").child(line)),
         p().class("note").child(more.unwrap_or_default()),
-        p().class("note").child(meaning().text(language).to_owned()),
+        p().class("note").child(meaning().text(language).into_owned()),
         div()
             .class("ways")
             .child(

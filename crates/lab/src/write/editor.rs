@@ -1,6 +1,7 @@
 //! The editor: CodeMirror, contained in the page as a deflated script (`crates/lab/editor`) and started on first use.
 //! In a site the script is a separate file. Places in a text are counted in UTF-16 units, as in browsers.
 
+use super::phrases::PHRASES;
 use crate::documents::carried;
 use desk::document::assist::{Suggestion, SuggestionKind};
 use desk::{Mark, Proposals, TextChange};
@@ -72,16 +73,20 @@ impl Editor {
         self.call("select", &[(file as f64).into()]);
     }
 
-    /// Sets the accessible name of the text and the language of the editor's own texts.
+    /// Sets the accessible name of the text, and the editor's own texts in a language.
     pub fn speak(&self, label: &str, language: Language) {
-        self.call("speak", &[label.into(), language.tag().into()]);
+        let own = Object::new();
+        for phrase in PHRASES {
+            let _ = Reflect::set(&own, &phrase.english().into(), &(&*phrase.text(language)).into());
+        }
+        self.call("speak", &[label.into(), own.into()]);
     }
 
     /// Marks the diagnostics in the text shown.
     pub fn mark(&self, marks: &[Mark], language: Language) {
         let mark = |mark: &Mark| {
             let severity = if mark.severity == Severity::Error { "error" } else { "warning" };
-            let sentences: Vec<&str> =
+            let sentences: Vec<_> =
                 std::iter::once(&mark.message).chain(&mark.remedies).map(|words| words.text(language)).collect();
             object([
                 ("from", (mark.from as f64).into()),
@@ -165,7 +170,7 @@ fn proposed(proposals: &Proposals, language: Language) -> JsValue {
         object([
             ("label", suggestion.text.as_str().into()),
             ("type", kind.into()),
-            ("detail", suggestion.meaning.text(language).into()),
+            ("detail", (&*suggestion.meaning.text(language)).into()),
         ])
     };
     let options: Array = proposals.suggestions.iter().map(option).collect();

@@ -12,6 +12,7 @@ mod layout;
 mod model;
 mod panel;
 mod panels;
+mod phrases;
 mod questions;
 mod times;
 mod toolbar;

@@ -10,7 +10,7 @@ pub fn time_text(app: App, time: u64) -> String {
     for (name, value) in [("dateStyle", "medium"), ("timeStyle", "medium")] {
         let _ = Reflect::set(&options, &name.into(), &value.into());
     }
-    let locale = app.language.get_untracked().pick("en-GB", "es-ES");
+    let locale = app.language.get_untracked().say("en-GB");
     let text = Date::new(&JsValue::from(time as f64)).to_locale_string(locale, &options);
     text.as_string().unwrap_or_default()
 }

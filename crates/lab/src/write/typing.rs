@@ -53,7 +53,7 @@ fn edited<'a>(
     edit: impl FnOnce(&Outline<'a>) -> Result<Vec<Edit>, EditError>,
 ) -> Result<Vec<Edit>, String> {
     let edits = edit(&document::read(text));
-    let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).to_owned())?;
+    let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).into_owned())?;
     let editor = app.with(|lab| lab.editor.clone()).flatten();
     if let Some(editor) = editor.filter(|_| !edits.is_empty()) {
         editor.edit(file, &text_changes(text, &edits), is_typed);
@@ -77,7 +77,7 @@ pub fn change_all(
     let Some((first, others)) = texts.split_first() else { return Ok(()) };
     let others: Vec<&str> = others.iter().map(String::as_str).collect();
     let edits = edit(&document::read(first), &others);
-    let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).to_owned())?;
+    let edits = edits.map_err(|refusal| refusal.words().text(app.language.get_untracked()).into_owned())?;
     for (file, (text, edits)) in texts.iter().zip(edits).enumerate() {
         act(app, file, text, |_| Ok(edits))?;
     }

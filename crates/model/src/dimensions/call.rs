@@ -33,9 +33,7 @@ impl Inference<'_> {
             Rule::Pure | Rule::Whole => {
                 for (argument, form) in arguments.iter().zip(forms) {
                     if let Some(form) = form {
-                        self.pure(argument, &form, || {
-                            words!("the argument of {user}", "el argumento de {user}", user = user())
-                        });
+                        self.pure(argument, &form, || words!("the argument of {user}", user = user()));
                     }
                 }
                 Type::Number(Form::pure())
@@ -61,7 +59,7 @@ impl Inference<'_> {
 
     /// Type of a table's value. Checks the dimension of the argument.
     fn look_up(&mut self, name: &Name, table: &TableFunction, argument: &Expression) -> Type {
-        let user = || words!("the argument of `{}`", "el argumento de `{}`", name.text);
+        let user = || words!("the argument of `{}`", name.text);
         if let Some(form) = self.number(argument, &user) {
             let needed = Form::from(table.argument);
             match self.solver.unify(&form, &needed, argument.span) {
@@ -69,7 +67,7 @@ impl Inference<'_> {
                 Err(Conflict::TooLarge) => return self.too_large(argument.span),
                 Err(Conflict::Different) => {
                     let title = format!("`{}`", table.argument_name);
-                    let context = words!(", as the argument of `{}`", ", como argumento de `{}`", name.text);
+                    let context = words!(", as the argument of `{}`", name.text);
                     self.report_value((argument, &form), (&title, &needed, table.span), &context);
                 }
             }

@@ -107,15 +107,11 @@ impl Inference<'_> {
                 let needed = Form::from(stated.unit.dimension);
                 if self.solver.unify(&own, &needed, stated.span) == Err(Conflict::Different) {
                     let written = primed(unknown.name, entry.order);
-                    let message = words!(
-                        "the stated unit does not fit: `{written}` is {what}",
-                        "la unidad declarada no concuerda: `{written}` es {what}",
-                        what = self.what(&own)
-                    );
+                    let message = words!("the stated unit does not fit: `{written}` is {what}", what = self.what(&own));
                     let mut diagnostic =
                         Diagnostic::error("dimension-mismatch", message, stated.span).saying(self.what(&needed));
                     if let Some(origin) = self.solver.origin(&self.types.unknowns[index]) {
-                        diagnostic = diagnostic.with_label(origin, words("this decides it", "esto la determina"));
+                        diagnostic = diagnostic.with_label(origin, words("this decides it"));
                     }
                     self.diagnostics.push(diagnostic);
                 }
@@ -172,7 +168,7 @@ impl Inference<'_> {
             }
             Err(Conflict::Different) => {
                 let title = format!("`{written}`");
-                let context = words!(" for {title}", " para {title}");
+                let context = words!(" for {title}");
                 self.report_value((value, &form), (&title, own, span), &context);
             }
         }
@@ -185,12 +181,7 @@ impl Inference<'_> {
             Type::Unknown => return None,
             Type::Truth | Type::Text => {}
         }
-        let message = words!(
-            "{user} must be a number, but this is {kind}",
-            "{user} debe ser un número, pero esto es {kind}",
-            user = user,
-            kind = found.described()
-        );
+        let message = words!("{user} must be a number, but this is {kind}", kind = found.described());
         self.refuse(Diagnostic::error("type-mismatch", message, value.span));
         None
     }
@@ -203,7 +194,7 @@ impl Inference<'_> {
 
     /// Checks a value of type `found` against its stated unit.
     pub fn check_stated(&mut self, value: &Expression, found: &Type, stated: &StatedUnit) {
-        let Some(form) = self.as_number(value, found, &words("what has a unit", "lo que tiene unidad")) else { return };
+        let Some(form) = self.as_number(value, found, &words("what has a unit")) else { return };
         let needed = Form::from(stated.unit.dimension);
         match self.solver.unify(&form, &needed, stated.span) {
             Ok(()) => {}
@@ -212,7 +203,7 @@ impl Inference<'_> {
             }
             Err(Conflict::Different) => {
                 let title = format!("[{}]", stated.unit);
-                let context = words!(" for the stated unit {title}", " para la unidad declarada {title}");
+                let context = words!(" for the stated unit {title}");
                 self.report_value((value, &form), (&title, &needed, stated.span), &context);
             }
         }
@@ -257,7 +248,7 @@ impl Inference<'_> {
     }
 
     fn event(&mut self, event: &EventEntry) {
-        self.truth(event.condition, &words("the condition of an event", "la condición de un evento"));
+        self.truth(event.condition, &words("the condition of an event"));
         for action in event.actions {
             match self.scope.meaning(&action.name.text) {
                 Some(Meaning::Variable(index)) => {
@@ -285,15 +276,12 @@ impl Inference<'_> {
             if warn && !has_errors(&self.diagnostics) {
                 let message = words!(
                     "nothing decides the dimension of `{name}`; it is taken to be {what}",
-                    "nada determina la dimensión de `{name}`; se toma como {what}",
                     what = with_article(Dimension::NONE)
                 );
-                self.diagnostics.push(Diagnostic::warning("undetermined-dimension", message, unknown.span).with_hint(
-                    words!(
-                        "state it with the initial value: `{name}(0) = 0 in [m]`",
-                        "declárala con el valor inicial: `{name}(0) = 0 in [m]`"
-                    ),
-                ));
+                self.diagnostics.push(
+                    Diagnostic::warning("undetermined-dimension", message, unknown.span)
+                        .with_hint(words!("state it with the initial value: `{name}(0) = 0 in [m]`")),
+                );
             }
             // A pure number fits a free dimension, so this cannot fail.
             let _ = self.solver.unify(&own, &Form::pure(), unknown.span);

@@ -5,23 +5,17 @@ use units::{Dimension, Exponent, Language, QuantityName, Words, words};
 
 /// `a length`, `an energy`, `a pure number`, or `the dimension kg m^3`.
 pub(crate) fn with_article(dimension: Dimension) -> Words {
-    named(dimension).map_or_else(
-        || words!("the dimension {dimension}", "una magnitud de dimensión {dimension}"),
-        QuantityName::with_article,
-    )
+    named(dimension).map_or_else(|| words!("the dimension {dimension}"), |name| name.with_article())
 }
 
 /// `a length`, `something with the dimension kg m^3`: the object of "multiply by".
 pub(crate) fn as_factor(dimension: Dimension) -> Words {
-    named(dimension).map_or_else(
-        || words!("something with the dimension {dimension}", "una magnitud de dimensión {dimension}"),
-        QuantityName::with_article,
-    )
+    named(dimension).map_or_else(|| words!("something with the dimension {dimension}"), |name| name.with_article())
 }
 
 /// Usual name of a quantity of this dimension.
-fn named(dimension: Dimension) -> Option<QuantityName> {
-    if dimension.is_none() { Some(QuantityName::PURE_NUMBER) } else { dimension.quantity_names().first().copied() }
+fn named(dimension: Dimension) -> Option<&'static QuantityName> {
+    if dimension.is_none() { Some(QuantityName::PURE_NUMBER) } else { dimension.quantity_names().first() }
 }
 
 /// One row in a comparison of dimensions.
@@ -43,7 +37,7 @@ pub(crate) fn table(rows: &[Row], language: Language, name_of: impl Fn(usize) ->
             columns.push(symbol);
         }
     }
-    let mut lines: Vec<String> = rows.iter().map(|row| row.title.text(language).to_owned()).collect();
+    let mut lines: Vec<String> = rows.iter().map(|row| row.title.text(language).into_owned()).collect();
     align(&mut lines);
     for column in &columns {
         for (line, cells) in lines.iter_mut().zip(&cells) {
@@ -57,7 +51,7 @@ pub(crate) fn table(rows: &[Row], language: Language, name_of: impl Fn(usize) ->
     for (line, row) in lines.iter_mut().zip(rows) {
         if let Some(name) = row.form.dimension().and_then(named) {
             line.push_str("  ");
-            line.push_str(name.noun().text(language));
+            line.push_str(&name.noun().text(language));
         }
         line.truncate(line.trim_end().len());
     }
@@ -117,41 +111,20 @@ impl Factor {
     /// `falta un factor con dimensión de masa`.
     pub fn verdict(self) -> Words {
         let dimension = self.dimension();
-        let name = named(dimension).map(QuantityName::noun);
+        let name = named(dimension).map(|name| name.noun());
         match (self, single(dimension), name) {
-            (Self::Lacking(_), Some((base, count)), _) if count > 1 => words!(
-                "lacks {count} factors with the dimension of {base}",
-                "faltan {count} factores con dimensión de {base}",
-                base = base,
-                count = number(count)
-            ),
-            (Self::Lacking(_), _, Some(name)) => words!(
-                "lacks a factor with the dimension of {name}",
-                "falta un factor con dimensión de {name}",
-                name = name
-            ),
+            (Self::Lacking(_), Some((base, count)), _) if count > 1 => {
+                words!("lacks {count} factors with the dimension of {base}", base = base.noun(), count = number(count))
+            }
+            (Self::Lacking(_), _, Some(name)) => words!("lacks a factor with the dimension of {name}"),
             (Self::Lacking(_), ..) => {
-                words!("lacks a factor with the dimension {dimension}", "falta un factor de dimensión {dimension}")
+                words!("lacks a factor with the dimension {dimension}")
             }
-            (Self::Excess(_), Some((base, count)), _) => {
-                let things = counted(&base.english, count);
-                let (is, factors) = if count == 1 { ("sobra", "factor") } else { ("sobran", "factores") };
-                words!(
-                    "has {things} too many",
-                    "{is} {count} {factors} con dimensión de {base}",
-                    base = base,
-                    count = number(count)
-                )
+            (Self::Excess(_), Some((base, count)), _) => too_many(base, count),
+            (Self::Excess(_), _, Some(name)) => {
+                words!("has a factor with the dimension of {name} too many")
             }
-            (Self::Excess(_), _, Some(name)) => words!(
-                "has a factor with the dimension of {name} too many",
-                "sobra un factor con dimensión de {name}",
-                name = name
-            ),
-            (Self::Excess(_), ..) => words!(
-                "has a factor with the dimension {dimension} too many",
-                "sobra un factor de dimensión {dimension}"
-            ),
+            (Self::Excess(_), ..) => words!("has a factor with the dimension {dimension} too many"),
         }
     }
 
@@ -171,43 +144,71 @@ impl Factor {
     }
 }
 
+/// A base quantity that messages name.
+#[derive(Clone, Copy)]
+enum Base {
+    Mass,
+    Length,
+    Time,
+    Temperature,
+    Current,
+}
+
+impl Base {
+    fn noun(self) -> Words {
+        match self {
+            Self::Mass => words("mass"),
+            Self::Length => words("length"),
+            Self::Time => words("time"),
+            Self::Temperature => words("temperature"),
+            Self::Current => words("current"),
+        }
+    }
+}
+
 /// Base quantity and exponent, if the dimension is an integer power from 1 to 9 of one base unit.
-fn single(dimension: Dimension) -> Option<(Words, i32)> {
+fn single(dimension: Dimension) -> Option<(Base, i32)> {
     let mut base = dimension.base();
     let (Some((symbol, exponent)), None) = (base.next(), base.next()) else {
         return None;
     };
     let is_small = exponent.is_whole() && (1..=9).contains(&exponent.numerator());
     let quantity = match symbol {
-        "kg" => words("mass", "masa"),
-        "m" => words("length", "longitud"),
-        "s" => words("time", "tiempo"),
-        "K" => words("temperature", "temperatura"),
-        "A" => words("current", "corriente"),
+        "kg" => Base::Mass,
+        "m" => Base::Length,
+        "s" => Base::Time,
+        "K" => Base::Temperature,
+        "A" => Base::Current,
         _ => return None,
     };
     is_small.then_some((quantity, exponent.numerator()))
 }
 
-/// `one length`, `two masses`, `two factors of time` ("two times" would mean twice).
-fn counted(base: &str, count: i32) -> String {
-    let things = match (base, count) {
-        ("time", 1) => "factor of time".to_owned(),
-        ("time", _) => "factors of time".to_owned(),
-        ("mass", 2..) => "masses".to_owned(),
-        (_, 1) => base.to_owned(),
-        _ => format!("{base}s"),
-    };
-    format!("{} {things}", number(count).english)
+/// `has one length too many`, `has two masses too many`, `has two factors of time too many` ("two times" would mean
+/// twice).
+fn too_many(base: Base, count: i32) -> Words {
+    let many = number(count);
+    match (base, count) {
+        (Base::Mass, 1) => words("has one mass too many"),
+        (Base::Length, 1) => words("has one length too many"),
+        (Base::Time, 1) => words("has one factor of time too many"),
+        (Base::Temperature, 1) => words("has one temperature too many"),
+        (Base::Current, 1) => words("has one current too many"),
+        (Base::Mass, _) => words!("has {many} masses too many"),
+        (Base::Length, _) => words!("has {many} lengths too many"),
+        (Base::Time, _) => words!("has {many} factors of time too many"),
+        (Base::Temperature, _) => words!("has {many} temperatures too many"),
+        (Base::Current, _) => words!("has {many} currents too many"),
+    }
 }
 
 /// Number word; the Spanish one is the form before a masculine noun.
 fn number(count: i32) -> Words {
     match count {
-        1 => words("one", "un"),
-        2 => words("two", "dos"),
-        3 => words("three", "tres"),
-        4 => words("four", "cuatro"),
+        1 => words("one"),
+        2 => words("two"),
+        3 => words("three"),
+        4 => words("four"),
         count => Words::same(count.to_string()),
     }
 }
@@ -233,7 +234,7 @@ mod tests {
             ("m/kg", "lacks a factor with the dimension of mass per length"),
             ("m^7/A", "has a factor with the dimension m^7 A^-1 too many"),
         ] {
-            assert_eq!(Factor::of(dimension(ratio)).verdict().english, verdict, "{ratio}");
+            assert_eq!(Factor::of(dimension(ratio)).verdict().english(), verdict, "{ratio}");
         }
     }
 

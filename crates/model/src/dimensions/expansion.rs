@@ -17,7 +17,7 @@ impl Inference<'_> {
         let mut places = HashSet::new();
         for mut diagnostic in self.diagnostics.split_off(before) {
             if !call.contains(diagnostic.span()) {
-                let place = words!("with this call of `{}`", "con esta llamada a `{}`", expansion.function);
+                let place = words!("with this call of `{}`", expansion.function);
                 diagnostic = diagnostic.with_label(call, place);
             }
             // A wrong argument that is used twice in the body is reported once.

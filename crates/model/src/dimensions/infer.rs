@@ -10,8 +10,8 @@ use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryO
 use program::Kind;
 use units::{Exponent, Words, words};
 
-const ARITHMETIC: Words = words("an arithmetic operation", "una operación aritmética");
-const POWER: Words = words("a power", "una potencia");
+const ARITHMETIC: Words = words("an arithmetic operation");
+const POWER: Words = words("a power");
 
 #[cfg(test)]
 thread_local! {
@@ -47,7 +47,7 @@ impl Inference<'_> {
                 self.name(name, *order, expression.span)
             }
             ExpressionKind::Unary(UnaryOperator::Not, operand) => {
-                self.truth(operand, &words("the operand of `not`", "el operando de `not`"));
+                self.truth(operand, &words("the operand of `not`"));
                 Type::Truth
             }
             ExpressionKind::Unary(UnaryOperator::Negate, _)
@@ -59,7 +59,7 @@ impl Inference<'_> {
             ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right, expression.span),
             ExpressionKind::Call { function, arguments } => self.call(function, arguments),
             ExpressionKind::If(condition, chosen, other) => {
-                self.truth(condition, &words("the condition of `if`", "la condición de `if`"));
+                self.truth(condition, &words("the condition of `if`"));
                 let (chosen_type, other_type) = (self.expression(chosen), self.expression(other));
                 self.same_kind((chosen, chosen_type), (other, other_type), Place::Branches)
             }
@@ -87,10 +87,7 @@ impl Inference<'_> {
                 Type::Number(form) => form.clone(),
                 other if order == 0 || *other == Type::Unknown => return other.clone(),
                 _ => {
-                    let message = words!(
-                        "`{name}` has no derivative: it is not a number",
-                        "`{name}` no tiene derivada: no es un número"
-                    );
+                    let message = words!("`{name}` has no derivative: it is not a number");
                     return self.refuse(Diagnostic::error("type-mismatch", message, span));
                 }
             },
@@ -135,18 +132,10 @@ impl Inference<'_> {
             found => found,
         };
         let (user, quoted) = (user(), quote(expression));
-        let message = words!(
-            "{user} needs numbers, but `{quoted}` is {found}",
-            "{user} necesita números, pero `{quoted}` es {found}",
-            user = user,
-            found = found.described()
-        );
+        let message = words!("{user} needs numbers, but `{quoted}` is {found}", found = found.described());
         let mut diagnostic = Diagnostic::error("type-mismatch", message, expression.span);
         if found == Type::Truth {
-            diagnostic = diagnostic.with_hint(words!(
-                "`if {quoted} then 1 else 0` is a number",
-                "`if {quoted} then 1 else 0` es un número"
-            ));
+            diagnostic = diagnostic.with_hint(words!("`if {quoted} then 1 else 0` is a number"));
         }
         self.diagnostics.push(diagnostic);
         None
@@ -159,15 +148,10 @@ impl Inference<'_> {
             return;
         }
         let quoted = quote(expression);
-        let message = words!(
-            "{user} must be true or false, but `{quoted}` is {found}",
-            "{user} debe ser un valor lógico, pero `{quoted}` es {found}",
-            user = user,
-            found = found.described()
-        );
+        let message = words!("{user} must be true or false, but `{quoted}` is {found}", found = found.described());
         self.diagnostics.push(
             Diagnostic::error("type-mismatch", message, expression.span)
-                .with_hint(words("compare it with something: `<`, `==`", "compáralo con algo: `<`, `==`")),
+                .with_hint(words("compare it with something: `<`, `==`")),
         );
     }
 
@@ -183,10 +167,8 @@ impl Inference<'_> {
             | BinaryOperator::LessOrEqual
             | BinaryOperator::Greater
             | BinaryOperator::GreaterOrEqual => {
-                let sides = [left, right].map(|side| Term {
-                    expression: side,
-                    form: self.number(side, &|| words("a comparison", "una comparación")),
-                });
+                let sides = [left, right]
+                    .map(|side| Term { expression: side, form: self.number(side, &|| words("a comparison")) });
                 self.equal(&sides, Place::Sides);
                 Type::Truth
             }
@@ -238,8 +220,8 @@ impl Inference<'_> {
             self.truth(
                 side,
                 &match operator {
-                    BinaryOperator::And => words("a side of `and`", "un miembro de `and`"),
-                    _ => words("a side of `or`", "un miembro de `or`"),
+                    BinaryOperator::And => words("a side of `and`"),
+                    _ => words("a side of `or`"),
                 },
             );
         }
@@ -259,17 +241,13 @@ impl Inference<'_> {
             (Type::Text, Type::Text) => Type::Text,
             _ => {
                 let what = if place == Place::Branches {
-                    words("the branches of `if`", "las ramas de `if`")
+                    words("the branches of `if`")
                 } else {
-                    words("the sides of a comparison", "los miembros de una comparación")
+                    words("the sides of a comparison")
                 };
-                let diagnostic = Diagnostic::error(
-                    "type-mismatch",
-                    words!("{what} are not of one kind", "{what} no son del mismo tipo", what = what),
-                    left.0.span,
-                )
-                .saying(words!("this is {kind}", "esto es {kind}", kind = left.1.described()))
-                .with_label(right.0.span, words!("this is {kind}", "esto es {kind}", kind = right.1.described()));
+                let diagnostic = Diagnostic::error("type-mismatch", words!("{what} are not of one kind"), left.0.span)
+                    .saying(words!("this is {kind}", kind = left.1.described()))
+                    .with_label(right.0.span, words!("this is {kind}", kind = right.1.described()));
                 self.refuse(diagnostic)
             }
         }
@@ -282,19 +260,11 @@ impl Inference<'_> {
         if let Some(rational) = rational {
             return form.power(rational).map_or_else(|_| self.too_large(span), Type::Number);
         }
-        self.pure(exponent, &exponent_form, || words("an exponent", "un exponente"));
+        self.pure(exponent, &exponent_form, || words("an exponent"));
         let reason = if self.constant(exponent).is_some() {
-            words!(
-                "the base of a power with the exponent {}",
-                "la base de una potencia de exponente {}",
-                quote(exponent)
-            )
+            words!("the base of a power with the exponent {}", quote(exponent))
         } else {
-            words!(
-                "the base of a power whose exponent, `{}`, is not a fixed number",
-                "la base de una potencia cuyo exponente (`{}`) no es un número fijo",
-                quote(exponent)
-            )
+            words!("the base of a power whose exponent, `{}`, is not a fixed number", quote(exponent))
         };
         self.pure(base, &form, || reason);
         Type::Number(Form::pure())
@@ -348,10 +318,7 @@ impl Inference<'_> {
 
     /// Reports that an exponent is out of bounds.
     pub fn too_large(&mut self, span: Span) -> Type {
-        let message = words(
-            "the dimension of this has an exponent beyond all reason",
-            "la dimensión de esto tiene un exponente desmesurado",
-        );
+        let message = words("the dimension of this has an exponent beyond all reason");
         self.refuse(Diagnostic::error("dimension-too-large", message, span))
     }
 }

@@ -107,10 +107,7 @@ impl Inference<'_> {
             return diagnostic;
         }
         let name = &self.scope.independent;
-        diagnostic.with_hint(words!(
-            "or, for equations without units, add the line `independent {name}`",
-            "o, para ecuaciones sin unidades, añade la línea `independent {name}`"
-        ))
+        diagnostic.with_hint(words!("or, for equations without units, add the line `independent {name}`"))
     }
 
     /// Reports an equation whose sides are consistent but have different dimensions.
@@ -119,15 +116,8 @@ impl Inference<'_> {
             return;
         }
         let message = match self.factor(left.1, right.1) {
-            Some(factor) => words!(
-                "the left side of the equation {verdict}",
-                "en el miembro izquierdo de la ecuación {verdict}",
-                verdict = factor.verdict()
-            ),
-            None => words(
-                "the left side of the equation differs from the right side",
-                "el miembro izquierdo de la ecuación difiere del derecho",
-            ),
+            Some(factor) => words!("the left side of the equation {verdict}", verdict = factor.verdict()),
+            None => words("the left side of the equation differs from the right side"),
         };
         let diagnostic = Diagnostic::error("dimension-mismatch", message, span)
             .with_label(left.0.span, self.what(left.1))
@@ -141,20 +131,12 @@ impl Inference<'_> {
             if unitless.is_empty() {
                 unitless = self.forgotten_unit(right.0, factor.lacking().inverse());
             }
-            let (multiply, divide) = (words("multiply", "multiplica"), words("divide", "divide"));
+            let (multiply, divide) = (words("multiply"), words("divide"));
             let (change, opposite) = match factor {
                 Factor::Lacking(_) => (multiply, divide),
                 Factor::Excess(_) => (divide, multiply),
             };
-            words!(
-                "{change} the left side by {thing}{offers}, or {opposite} the right side by one{unitless}",
-                "{change} el miembro izquierdo por {thing}{offers}, o {opposite} el derecho por lo mismo{unitless}",
-                change = change,
-                thing = thing,
-                offers = offers,
-                opposite = opposite,
-                unitless = unitless
-            )
+            words!("{change} the left side by {thing}{offers}, or {opposite} the right side by one{unitless}",)
         });
         let diagnostic = match hint {
             Some(hint) => diagnostic.with_hint(hint),
@@ -173,8 +155,7 @@ impl Inference<'_> {
         let what = self.what(needed.1);
         // The label of a stated unit is at the unit itself; that of a name covers the name only, without its primes.
         let is_name = needed.0.starts_with('`');
-        let label =
-            if is_name { words!("{title} is {what}", "{title} es {what}", title = title, what = what) } else { what };
+        let label = if is_name { words!("{title} is {what}") } else { what };
         let diagnostic = self.mismatch(&subject, value, (&title, needed.1), context).with_label(needed.2, label);
         let diagnostic = self.with_origins(diagnostic, &[value.1, needed.1]);
         let mut diagnostic = self.with_remedy(diagnostic, value.0, value.1, needed.1);
@@ -188,7 +169,7 @@ impl Inference<'_> {
                 .is_some_and(|factor| self.has_confirmed_parameters(value.0) || !self.has_offer(factor, value.0));
         if let Some(unit) = found.filter(|unit| is_stated && diagnostic.fixes.is_empty() && is_usual(unit)) {
             diagnostic = diagnostic
-                .with_hint(words!("or state the unit that it has: [{unit}]", "o declara la unidad que tiene: [{unit}]"))
+                .with_hint(words!("or state the unit that it has: [{unit}]"))
                 .with_fix(needed.2, format!("[{unit}]"));
         }
         self.diagnostics.push(diagnostic);
@@ -198,13 +179,8 @@ impl Inference<'_> {
     pub fn not_pure(&self, expression: &Expression, form: &Form, what: &Words) -> Diagnostic {
         let kind = self.what(form);
         let quoted = quote(expression);
-        let message = words!(
-            "{what} must be a pure number, but `{quoted}` is {kind}",
-            "{what} debe ser un número puro, pero `{quoted}` es {kind}",
-            what = what,
-            kind = kind
-        );
-        let (subject, needed) = (Words::same(format!("`{quoted}`")), words("needed", "necesario"));
+        let message = words!("{what} must be a pure number, but `{quoted}` is {kind}");
+        let (subject, needed) = (Words::same(format!("`{quoted}`")), words("needed"));
         let diagnostic = Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(kind)
             .with_note(self.table(&[(&subject, form), (&needed, &Form::pure())]));
@@ -219,27 +195,15 @@ impl Inference<'_> {
         context: &Words,
     ) -> Diagnostic {
         let message = match self.factor(found, expected) {
-            Some(_) if is_bare(expression) => words!(
-                "{subject} has no unit, but {needed} is needed{context}",
-                "{subject} no tiene unidad, pero hace falta {needed}{context}",
-                subject = subject,
-                needed = self.what(expected),
-                context = context
-            ),
-            Some(factor) => words!(
-                "{subject} {verdict}{context}",
-                "en {subject} {verdict}{context}",
-                subject = subject,
-                verdict = factor.verdict(),
-                context = context
-            ),
-            None => words!(
-                "{subject} does not fit {other}{context}",
-                "{subject} no concuerda con {other}{context}",
-                subject = subject,
-                other = other,
-                context = context
-            ),
+            Some(_) if is_bare(expression) => {
+                words!("{subject} has no unit, but {needed} is needed{context}", needed = self.what(expected),)
+            }
+            Some(factor) => {
+                words!("{subject} {verdict}{context}", verdict = factor.verdict())
+            }
+            None => {
+                words!("{subject} does not fit {other}{context}")
+            }
         };
         Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(self.what(found))
@@ -254,7 +218,7 @@ impl Inference<'_> {
     /// `a length`, `the dimension kg m^3`.
     pub fn what(&self, form: &Form) -> Words {
         let resolved = self.solver.resolve(form).ok().and_then(|form| form.dimension());
-        resolved.map_or_else(|| words("of unknown dimension", "de dimensión desconocida"), with_article)
+        resolved.map_or_else(|| words("of unknown dimension"), with_article)
     }
 
     fn table(&self, rows: &[(&Words, &Form)]) -> Words {
@@ -265,8 +229,9 @@ impl Inference<'_> {
                 Row { title: (*title).clone(), form }
             })
             .collect();
-        let name_of = |index| format!("[{}]", self.types.unknown_names.get(index).map_or("?", String::as_str));
-        Words::each(|language| table(&rows, language, name_of))
+        let names = self.types.unknown_names.clone();
+        let name_of = move |index| format!("[{}]", names.get(index).map_or("?", String::as_str));
+        Words::each(move |language| table(&rows, language, &name_of))
     }
 
     /// Adds the places that determined the dimensions of the unknown functions involved.
@@ -281,14 +246,8 @@ impl Inference<'_> {
             let reported =
                 diagnostic.labels.iter().any(|label| label.span.start <= origin.start && origin.end <= label.span.end);
             if !reported {
-                diagnostic = diagnostic.with_label(
-                    origin,
-                    words!(
-                        "from here `{name}` is taken to be {what}",
-                        "desde aquí `{name}` se toma como {what}",
-                        what = self.what(form)
-                    ),
-                );
+                diagnostic = diagnostic
+                    .with_label(origin, words!("from here `{name}` is taken to be {what}", what = self.what(form)));
             }
         }
         diagnostic

@@ -33,10 +33,7 @@ impl Inference<'_> {
         };
         let quoted = quote(expression);
         diagnostic
-            .with_hint(words!(
-                "give the number a unit: `{quoted} [{unit}]`",
-                "da una unidad al número: `{quoted} [{unit}]`"
-            ))
+            .with_hint(words!("give the number a unit: `{quoted} [{unit}]`"))
             .with_fix(expression.span.after(), format!(" [{unit}]"))
     }
 
@@ -95,26 +92,15 @@ impl Inference<'_> {
     /// Hint by what to multiply or divide.
     fn change(&self, expression: &Expression, found: &Form, expected: &Form) -> Words {
         let Some(factor) = self.factor(found, expected) else {
-            return words(
-                "state the units of the quantities involved",
-                "declara las unidades de las magnitudes implicadas",
-            );
+            return words("state the units of the quantities involved");
         };
         let thing = as_factor(factor.dimension());
         let offers = self.offers(factor, expression);
         let unitless = self.forgotten_unit(expression, factor.lacking());
-        let change = match factor {
-            Factor::Lacking(_) => words("multiply", "multiplícalo"),
-            Factor::Excess(_) => words("divide", "divídelo"),
-        };
-        words!(
-            "{change} it by {thing}{offers}{unitless}",
-            "{change} por {thing}{offers}{unitless}",
-            change = change,
-            thing = thing,
-            offers = offers,
-            unitless = unitless
-        )
+        match factor {
+            Factor::Lacking(_) => words!("multiply it by {thing}{offers}{unitless}"),
+            Factor::Excess(_) => words!("divide it by {thing}{offers}{unitless}"),
+        }
     }
 
     /// `, or give `omega` the unit [1/s]`, if a factor of the expression is a parameter without a unit.
@@ -122,7 +108,7 @@ impl Inference<'_> {
         match self.factor_without_unit(expression) {
             Some(name) => {
                 let unit = units::Unit::si(lacking);
-                words!(", or give `{name}` the unit [{unit}]", ", o da a `{name}` la unidad [{unit}]")
+                words!(", or give `{name}` the unit [{unit}]")
             }
             None => Words::default(),
         }
@@ -174,7 +160,7 @@ impl Inference<'_> {
             return Words::default();
         }
         let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        words!(", such as {names}", ", por ejemplo {names}", names = alternatives(&names))
+        words!(", such as {names}", names = alternatives(&names))
     }
 
     /// Names in an expression with the dimension of a factor.

@@ -5,8 +5,8 @@ use crate::Expression;
 use crate::notation::quote;
 use units::{Words, words};
 
-pub(super) const LEFT_SIDE: Words = words("left side", "miembro izquierdo");
-pub(super) const RIGHT_SIDE: Words = words("right side", "miembro derecho");
+pub(super) const LEFT_SIDE: Words = words("left side");
+pub(super) const RIGHT_SIDE: Words = words("right side");
 
 /// One of several expressions that must have one dimension. The form is `None` if an error was already reported.
 #[derive(Clone, Debug)]
@@ -34,12 +34,12 @@ impl Place {
     /// Noun phrase for one of the expressions in a message.
     pub(super) fn part(self, index: usize, term: &Expression) -> Words {
         match (self, index) {
-            (Self::Sum, _) => words!("the term `{}`", "el término `{}`", quote(term)),
-            (Self::Sides, 0) => words!("the {side}", "el {side}", side = LEFT_SIDE),
-            (Self::Sides, _) => words!("the {side}", "el {side}", side = RIGHT_SIDE),
-            (Self::Arguments, _) => words!("the argument `{}`", "el argumento `{}`", quote(term)),
-            (Self::Components, _) => words!("the component `{}`", "la componente `{}`", quote(term)),
-            (Self::Branches, _) => words!("the branch `{}`", "la rama `{}`", quote(term)),
+            (Self::Sum, _) => words!("the term `{}`", quote(term)),
+            (Self::Sides, 0) => words!("the {side}", side = LEFT_SIDE),
+            (Self::Sides, _) => words!("the {side}", side = RIGHT_SIDE),
+            (Self::Arguments, _) => words!("the argument `{}`", quote(term)),
+            (Self::Components, _) => words!("the component `{}`", quote(term)),
+            (Self::Branches, _) => words!("the branch `{}`", quote(term)),
         }
     }
 }

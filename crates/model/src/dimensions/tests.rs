@@ -9,7 +9,7 @@ fn inferred(model: &str, members: usize) -> (usize, Vec<(&'static str, String)>)
     let before = INFERRED.get();
     let part = 0..source.len();
     let (_, diagnostics) = compile(&source, std::slice::from_ref(&part));
-    let told = diagnostics.iter().map(|one| (one.code, one.message.english.clone().into_owned())).collect();
+    let told = diagnostics.iter().map(|one| (one.code, one.message.english())).collect();
     (INFERRED.get() - before, told)
 }
 

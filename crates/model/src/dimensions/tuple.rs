@@ -6,7 +6,7 @@ use super::types::Type;
 use crate::{Expression, ExpressionKind};
 use units::{Words, words};
 
-const COMPONENT: Words = words("a component of a vector", "una componente de un vector");
+const COMPONENT: Words = words("a component of a vector");
 
 impl Inference<'_> {
     /// Type of one component of `(a, b)`. It has the dimension of the others, so a literal 0 gets one. A mismatch between

@@ -50,10 +50,10 @@ impl Type {
     /// Noun phrase after "is" in a message.
     pub fn described(&self) -> Words {
         match self {
-            Self::Number(_) => words("a number", "un número"),
-            Self::Truth => words("true or false", "un valor lógico"),
-            Self::Text => words("a text", "un texto"),
-            Self::Unknown => words("unknown", "desconocido"),
+            Self::Number(_) => words("a number"),
+            Self::Truth => words("true or false"),
+            Self::Text => words("a text"),
+            Self::Unknown => words("unknown"),
         }
     }
 }

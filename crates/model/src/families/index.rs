@@ -54,26 +54,20 @@ pub(crate) fn whole_number(
         let (Fault::NotWhole(part) | Fault::TooLarge(part)) = fault;
         if part.kind == ExpressionKind::Error {
             // The parser has already reported the syntax error.
-            let message = words("this index could not be read", "no se pudo leer este índice");
+            let message = words("this index could not be read");
             return Box::new(Diagnostic::error("index-not-whole", message, part.span));
         }
         if let Fault::TooLarge(_) = fault {
-            let message = words("this index is too large", "este índice es demasiado grande");
+            let message = words("this index is too large");
             return Box::new(Diagnostic::error("index-not-whole", message, part.span));
         }
-        let message = words("an index is a whole number", "un índice es un número entero");
+        let message = words("an index is a whole number");
         let diagnostic = Diagnostic::error("index-not-whole", message, part.span);
         let written = crate::notation::quote(expression);
         let hint = if Unit::parse(&written).is_ok() {
-            words!(
-                "a unit stands after a number, as in `1 [{written}]`, or after `in`",
-                "una unidad va tras un número, como en `1 [{written}]`, o tras `in`"
-            )
+            words!("a unit stands after a number, as in `1 [{written}]`, or after `in`")
         } else {
-            words(
-                "it is made of whole numbers, sizes (`size N = 20`) and the names after `for`",
-                "se compone de números enteros, tamaños (`size N = 20`) y los nombres tras `for`",
-            )
+            words("it is made of whole numbers, sizes (`size N = 20`) and the names after `for`")
         };
         Box::new(diagnostic.with_hint(hint))
     })

@@ -32,10 +32,7 @@ pub(crate) fn without_families<'a>(
     for statement in statements {
         write_out.statement(statement, &mut written);
         if written.len() > limits::STATEMENTS || write_out.is_full() {
-            let message = words(
-                "the families have too many members: the model becomes too large here",
-                "las familias tienen demasiados miembros: el modelo se hace aquí demasiado grande",
-            );
+            let message = words("the families have too many members: the model becomes too large here");
             diagnostics.push(Diagnostic::error("model-too-large", message, statement.span));
             break;
         }
@@ -58,10 +55,7 @@ pub(crate) fn expression_without_families<'e>(
     let written = write_out.expression(expression);
     let mut diagnostics = Vec::new();
     if write_out.is_full() {
-        let message = words(
-            "this expression becomes too large: its sums have too many terms",
-            "esta expresión se hace demasiado grande: sus sumas tienen demasiados términos",
-        );
+        let message = words("this expression becomes too large: its sums have too many terms");
         diagnostics.push(Diagnostic::error("too-large", message, expression.span));
     }
     diagnostics.extend(write_out.finish());

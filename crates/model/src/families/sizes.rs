@@ -17,11 +17,11 @@ pub(crate) fn sizes(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>)
         if let Some(other) = other {
             // Reported once, at the later declaration.
             if other.span.start < statement.span.start || !matches!(other.kind, StatementKind::Size(_)) {
-                let message = words!("`{name}` is declared twice", "`{name}` se declara dos veces");
+                let message = words!("`{name}` is declared twice");
                 diagnostics.push(
                     Diagnostic::error("duplicate-name", message, size.name.span)
-                        .with_label(other.span, words("also declared here", "también se declara aquí"))
-                        .with_hint(words("give one of them another name", "da otro nombre a una de ellas")),
+                        .with_label(other.span, words("also declared here"))
+                        .with_hint(words("give one of them another name")),
                 );
             }
         }
@@ -44,7 +44,6 @@ fn range(size: &SizeStatement, diagnostics: &mut Vec<Diagnostic>) -> Option<(u32
     if !whole(bounds.low) || !whole(bounds.high) || bounds.low > bounds.high {
         let message = words!(
             "the range of the size `{name}` needs two whole numbers, the lesser first, of at most {}",
-            "el intervalo del tamaño `{name}` necesita dos números enteros, primero el menor, de como máximo {}",
             crate::limits::MEMBERS
         );
         diagnostics.push(Diagnostic::error("size-range", message, bounds.span));
@@ -52,11 +51,7 @@ fn range(size: &SizeStatement, diagnostics: &mut Vec<Diagnostic>) -> Option<(u32
     }
     let (low, high) = (bounds.low as u32, bounds.high as u32);
     if !(low..=high).contains(&size.value) {
-        let message = words!(
-            "the size `{name}` is {}, outside its range {low}..{high}",
-            "el tamaño `{name}` es {}, fuera de su intervalo {low}..{high}",
-            size.value
-        );
+        let message = words!("the size `{name}` is {}, outside its range {low}..{high}", size.value);
         diagnostics.push(Diagnostic::error("default-out-of-range", message, size.value_span));
     }
     Some((low, high))

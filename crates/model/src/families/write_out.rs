@@ -69,21 +69,17 @@ impl<'a> WriteOut<'a> {
         };
         let index = &first.index;
         if self.bindings.value(&index.text).is_some() || self.taken.contains(&index.text.as_str()) {
-            let message = words!(
-                "`{}` cannot be an index: it has a meaning already",
-                "`{}` no puede ser un índice: ya tiene un significado",
-                index.text
+            let message = words!("`{}` cannot be an index: it has a meaning already", index.text);
+            self.diagnostics.push(
+                Diagnostic::error("duplicate-name", message, index.span)
+                    .with_hint(words("choose another letter, as in `for j in 1..N`")),
             );
-            self.diagnostics.push(Diagnostic::error("duplicate-name", message, index.span).with_hint(words(
-                "choose another letter, as in `for j in 1..N`",
-                "elige otra letra, como en `for j in 1..N`",
-            )));
             return;
         }
         let (Some(low), Some(high)) = (self.whole(&first.low), self.whole(&first.high)) else { return };
         let most = i64::from(limits::MEMBERS);
         if high - low >= most {
-            let message = words!("an index takes at most {most} values", "un índice toma como máximo {most} valores");
+            let message = words!("an index takes at most {most} values");
             let span = first.low.span.to(first.high.span);
             self.diagnostics.push(Diagnostic::error("model-too-large", message, span));
             return;
@@ -264,11 +260,7 @@ impl<'a> WriteOut<'a> {
         if function.text == "sum" {
             return ExpressionKind::Number { value: 0.0, unit: None };
         }
-        let message = words!(
-            "`{}` of no values: the range of the index is empty",
-            "`{}` de ningún valor: el intervalo del índice está vacío",
-            function.text
-        );
+        let message = words!("`{}` of no values: the range of the index is empty", function.text);
         self.diagnostics.push(Diagnostic::error("index-range", message, span));
         ExpressionKind::Error
     }

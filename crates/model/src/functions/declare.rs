@@ -78,19 +78,14 @@ fn check_parameters(function: &FunctionStatement, diagnostics: &mut Vec<Diagnost
     for (index, parameter) in function.parameters.iter().enumerate() {
         let text = &parameter.text;
         if let Some(first) = function.parameters[..index].iter().find(|earlier| earlier.text == *text) {
-            let message = words!("`{text}` is declared twice", "`{text}` se declara dos veces");
+            let message = words!("`{text}` is declared twice");
             let diagnostic = Diagnostic::error("duplicate-name", message, parameter.span);
-            diagnostics
-                .push(diagnostic.with_label(first.span, words("first declared here", "se declara primero aquí")));
+            diagnostics.push(diagnostic.with_label(first.span, words("first declared here")));
         } else if !used.contains(&text.as_str()) {
-            let message = words!(
-                "the value of `{}` does not depend on its argument `{text}`",
-                "el valor de `{}` no depende de su argumento `{text}`",
-                function.name.text
-            );
+            let message = words!("the value of `{}` does not depend on its argument `{text}`", function.name.text);
             diagnostics.push(
                 Diagnostic::error("unused-argument", message, parameter.span)
-                    .with_hint(words("leave it out, here and in the calls", "omítelo, aquí y en las llamadas")),
+                    .with_hint(words("leave it out, here and in the calls")),
             );
         }
     }
@@ -98,24 +93,17 @@ fn check_parameters(function: &FunctionStatement, diagnostics: &mut Vec<Diagnost
 
 fn recursion(declared: &[&FunctionStatement], members: &[usize]) -> Diagnostic {
     let name = |&member: &usize| &declared[member].name;
-    let hint = words(
-        "what is computed again and again from itself is a state: `x' = ...`",
-        "lo que se calcula una y otra vez a partir de sí mismo es un estado: `x' = ...`",
-    );
+    let hint = words("what is computed again and again from itself is a state: `x' = ...`");
     let (first, others) = members.split_first().map_or((&0, members), |parts| parts);
     let message = if others.is_empty() {
-        words!("the function `{}` calls itself", "la función `{}` se llama a sí misma", name(first).text)
+        words!("the function `{}` calls itself", name(first).text)
     } else {
         let names: Vec<String> = members.iter().map(|member| format!("`{}`", name(member).text)).collect();
-        words!(
-            "the functions {names} call each other in a circle",
-            "las funciones {names} se llaman unas a otras en círculo",
-            names = list(&names)
-        )
+        words!("the functions {names} call each other in a circle", names = list(&names))
     };
     let mut diagnostic = Diagnostic::error("cycle", message, name(first).span).with_hint(hint);
     for other in others {
-        diagnostic = diagnostic.with_label(name(other).span, words("and this", "y esta"));
+        diagnostic = diagnostic.with_label(name(other).span, words("and this"));
     }
     diagnostic
 }

@@ -151,30 +151,20 @@ pub(crate) fn is_too_deep(expression: &Expression) -> bool {
 }
 
 fn too_large(span: Span) -> Diagnostic {
-    let message = words(
-        "with the functions that it calls written out, this expression is too large",
-        "con las funciones a las que llama desarrolladas, esta expresión es demasiado grande",
-    );
-    Diagnostic::error("model-too-large", message, span).with_hint(words(
-        "define parts of it as quantities of their own",
-        "define partes de ella como magnitudes propias",
-    ))
+    let message = words("with the functions that it calls written out, this expression is too large");
+    Diagnostic::error("model-too-large", message, span)
+        .with_hint(words("define parts of it as quantities of their own"))
 }
 
 fn wrong_count(function: &Function, given: usize, span: Span) -> Diagnostic {
     let takes = match function.parameters.len() {
-        1 => words("1 argument", "1 argumento"),
-        count => words!("{count} arguments", "{count} argumentos"),
+        1 => words("1 argument"),
+        count => words!("{count} arguments"),
     };
     let name = &function.name;
     let message = match given {
-        1 => words!("`{name}` takes {takes}, and 1 was given", "`{name}` toma {takes}, y se dio 1", takes = takes),
-        given => words!(
-            "`{name}` takes {takes}, and {given} were given",
-            "`{name}` toma {takes}, y se dieron {given}",
-            takes = takes
-        ),
+        1 => words!("`{name}` takes {takes}, and 1 was given"),
+        given => words!("`{name}` takes {takes}, and {given} were given"),
     };
-    Diagnostic::error("wrong-argument-count", message, span)
-        .with_label(function.span, words("it is declared here", "se declara aquí"))
+    Diagnostic::error("wrong-argument-count", message, span).with_label(function.span, words("it is declared here"))
 }

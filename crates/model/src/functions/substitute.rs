@@ -122,16 +122,12 @@ impl<'a> Substitution<'a> {
         let function = &self.function.name;
         let message = words!(
             "`{function}` needs a quantity here, with a derivative and a value at the start, not `{}`",
-            "`{function}` necesita aquí una magnitud, con derivada y valor inicial, no `{}`",
             quote(argument)
         );
         let diagnostic = Diagnostic::error("argument-without-name", message, argument.span)
-            .with_label(place, words("it is used here", "se usa aquí"))
-            .with_label(self.call, words!("with this call of `{function}`", "con esta llamada a `{function}`"))
-            .with_hint(words(
-                "give the expression a name (v = ...) and write that here",
-                "da un nombre a la expresión (v = ...) y escríbelo aquí",
-            ));
+            .with_label(place, words("it is used here"))
+            .with_label(self.call, words!("with this call of `{function}`"))
+            .with_hint(words("give the expression a name (v = ...) and write that here"));
         self.diagnostics.push(diagnostic);
         ExpressionKind::Error
     }

@@ -18,9 +18,9 @@ impl Lexer<'_> {
             return self.push(TokenKind::Brackets(inside), start);
         }
         self.at = inside_start + inside.trim_end().len();
-        let wrong = words("this `[` is not closed", "este `[` no se cierra");
+        let wrong = words("this `[` is not closed");
         let diagnostic = Diagnostic::error("unclosed-bracket", wrong, Span::new(start, start + 1))
-            .with_hint(words("end the unit with ]", "termina la unidad con ]"));
+            .with_hint(words("end the unit with ]"));
         self.diagnostics.push(match unit_at_start(inside) {
             Some(length) => {
                 let end = inside_start + length;
@@ -36,13 +36,9 @@ impl Lexer<'_> {
         let number = self.tokens.last().filter(|token| matches!(token.kind, TokenKind::Number(_)));
         let Some(number) = number.map(|token| token.span).filter(|_| matches!(sign, '°' | 'º')) else { return false };
         let written = &self.source[number.range()];
-        let wrong =
-            words!("`{sign}` cannot stand directly after a number", "`{sign}` no puede ir justo después de un número");
-        let diagnostic =
-            Diagnostic::error("unit-without-brackets", wrong, Span::new(start, self.at)).with_hint(words!(
-                "a unit stands in square brackets: {written} [deg]",
-                "una unidad va entre corchetes: {written} [deg]"
-            ));
+        let wrong = words!("`{sign}` cannot stand directly after a number");
+        let diagnostic = Diagnostic::error("unit-without-brackets", wrong, Span::new(start, self.at))
+            .with_hint(words!("a unit stands in square brackets: {written} [deg]"));
         self.diagnostics.push(diagnostic.with_fix(Span::new(number.end, self.at), " [deg]"));
         true
     }

@@ -70,7 +70,7 @@ impl Lexer<'_> {
     fn primed_instead(&mut self, start: usize, text: String, ours: &str, order: u32) {
         let span = Span::new(start, self.at);
         let written = &self.source[span.range()];
-        let wrong = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
+        let wrong = words!("`{written}` is written `{ours}` here");
         self.diagnostics.push(Diagnostic::error("foreign-derivative", wrong, span).with_fix(span, ours));
         self.push(TokenKind::Name { text, order, end: span.end }, start);
     }

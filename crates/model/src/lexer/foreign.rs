@@ -35,7 +35,7 @@ impl Lexer<'_> {
         let start = self.at;
         self.skip(|c| c != '\n');
         let span = Span::new(start, start + 2);
-        let wrong = words("a comment begins with `#` here", "aquí un comentario empieza con `#`");
+        let wrong = words("a comment begins with `#` here");
         self.diagnostics.push(Diagnostic::error("foreign-comment", wrong, span).with_fix(span, "#"));
     }
 
@@ -44,22 +44,12 @@ impl Lexer<'_> {
         let start = self.at;
         self.at += 2;
         let text = &self.source[start..self.at];
-        let wrong = words!(
-            "`{text}` changes a value step by step; what stands here holds at every moment",
-            "`{text}` cambia un valor paso a paso; lo que se escribe aquí vale en todo momento"
-        );
+        let wrong = words!("`{text}` changes a value step by step; what stands here holds at every moment");
         let diagnostic = Diagnostic::error("foreign-assignment", wrong, Span::new(start, self.at));
         let diagnostic = match self.name_before(start).map(str::to_owned) {
             Some(name) => diagnostic
-                .with_hint(words!(
-                    "for a rate of change write `{name}' = ...`",
-                    "para un ritmo de cambio escribe `{name}' = ...`"
-                ))
-                .with_hint(words!(
-                    "in the action of an event write `{name} = {name} {} ...`",
-                    "en la acción de un evento escribe `{name} = {name} {} ...`",
-                    &text[..1]
-                ))
+                .with_hint(words!("for a rate of change write `{name}' = ...`"))
+                .with_hint(words!("in the action of an event write `{name} = {name} {} ...`", &text[..1]))
                 .with_fix(Span::new(start, self.at), format!("= {name} {}", &text[..1])),
             None => diagnostic,
         };
@@ -75,8 +65,7 @@ impl Lexer<'_> {
         let start = self.at;
         self.at += inside.len() + 2;
         let span = Span::new(start, self.at);
-        let wrong =
-            words!("`|{inside}|` is written `abs({inside})` here", "`|{inside}|` se escribe aquí `abs({inside})`");
+        let wrong = words!("`|{inside}|` is written `abs({inside})` here");
         let diagnostic = Diagnostic::error("foreign-operator", wrong, span);
         self.diagnostics.push(diagnostic.with_fix(span, format!("abs({inside})")));
         self.push(TokenKind::Unknown, start);
@@ -87,10 +76,10 @@ impl Lexer<'_> {
     fn choice(&mut self) {
         let start = self.at;
         self.at += 1;
-        let wrong = words("`?` and `:` choose nothing here", "`?` y `:` no eligen nada aquí");
+        let wrong = words("`?` and `:` choose nothing here");
         self.diagnostics.push(
             Diagnostic::error("foreign-choice", wrong, Span::new(start, self.at))
-                .with_hint(words("write: if CONDITION then ... else ...", "escribe: if CONDICIÓN then ... else ...")),
+                .with_hint(words("write: if CONDITION then ... else ...")),
         );
         self.skip(|c| !matches!(c, '\n' | '#'));
         self.push(TokenKind::Unknown, start);
@@ -117,10 +106,7 @@ impl Lexer<'_> {
             "pow" => "^",
             other => other,
         };
-        let wrong = words!(
-            "`{collection}.{member}` is written `{meant}` here",
-            "`{collection}.{member}` se escribe aquí `{meant}`"
-        );
+        let wrong = words!("`{collection}.{member}` is written `{meant}` here");
         let span = Span::new(start, end);
         let mut diagnostic = Diagnostic::error("foreign-name", wrong, span);
         if meant != "^" {

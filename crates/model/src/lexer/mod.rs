@@ -142,10 +142,7 @@ impl<'a> Lexer<'a> {
         if self.at_point() {
             self.skip_ascii(|byte| byte.is_ascii_digit() || byte == b'.');
             let text = &self.source[start..self.at];
-            let wrong = words!(
-                "`{text}` is not a number: it has a second point",
-                "`{text}` no es un número: tiene un segundo punto"
-            );
+            let wrong = words!("`{text}` is not a number: it has a second point");
             self.diagnostics.push(Diagnostic::error("malformed-number", wrong, Span::new(start, self.at)));
             return self.push(TokenKind::Unknown, start);
         }
@@ -154,11 +151,9 @@ impl<'a> Lexer<'a> {
             return self.push(TokenKind::Number(value), start);
         }
         let span = Span::new(start, self.at);
-        let wrong = words("this number is too large", "este número es demasiado grande");
-        self.diagnostics.push(
-            Diagnostic::error("malformed-number", wrong, span)
-                .with_note(words("the largest is about 1.8e308", "el mayor es aproximadamente 1.8e308")),
-        );
+        let wrong = words("this number is too large");
+        self.diagnostics
+            .push(Diagnostic::error("malformed-number", wrong, span).with_note(words("the largest is about 1.8e308")));
         self.push(TokenKind::Unknown, start);
     }
 
@@ -210,11 +205,8 @@ impl<'a> Lexer<'a> {
         }
         if let Some(span) = foreign {
             let letter = &self.source[span.range()];
-            let wrong = words!("`{letter}` cannot be part of a name", "`{letter}` no puede formar parte de un nombre");
-            let hint = words(
-                "names are made of the letters a to z, Greek letters, digits and _",
-                "los nombres se forman con las letras de la a a la z, letras griegas, cifras y _",
-            );
+            let wrong = words!("`{letter}` cannot be part of a name");
+            let hint = words("names are made of the letters a to z, Greek letters, digits and _");
             self.diagnostics.push(Diagnostic::error("name-character", wrong, span).with_hint(hint));
         }
         if let Some((_, keyword)) = KEYWORDS.iter().find(|(word, _)| *word == text) {
@@ -231,12 +223,8 @@ impl<'a> Lexer<'a> {
             order += self.primes();
         }
         if order > limits::ORDER {
-            let wrong = words!("{order} primes are too many", "{order} primas son demasiadas");
-            let note = words!(
-                "derivatives up to the order {} are possible",
-                "se admiten derivadas hasta el orden {}",
-                limits::ORDER
-            );
+            let wrong = words!("{order} primes are too many");
+            let note = words!("derivatives up to the order {} are possible", limits::ORDER);
             let diagnostic = Diagnostic::error("order-too-high", wrong, Span::new(end, self.at)).with_note(note);
             self.diagnostics.push(diagnostic);
             return self.push(TokenKind::Unknown, start);
@@ -264,21 +252,16 @@ impl<'a> Lexer<'a> {
         self.at = start + opening.len_utf8() + inside.trim_end().len();
         let mut diagnostic = Diagnostic::error(
             "unclosed-text",
-            words("this text has no closing quotation mark", "a este texto le faltan las comillas de cierre"),
+            words("this text has no closing quotation mark"),
             Span::new(start, self.at),
         );
         diagnostic = if after_name {
             diagnostic
-                .with_hint(words(
-                    "for the second derivative write two primes: y''",
-                    "para la segunda derivada escribe dos primas: y''",
-                ))
+                .with_hint(words("for the second derivative write two primes: y''"))
                 .with_fix(Span::new(start, start + opening.len_utf8()), "''")
         } else {
             let end = Span::new(self.at, self.at);
-            diagnostic
-                .with_hint(words("end it with \" on the same line", "ciérralo con \" en la misma línea"))
-                .with_fix(end, "\"")
+            diagnostic.with_hint(words("end it with \" on the same line")).with_fix(end, "\"")
         };
         self.diagnostics.push(diagnostic);
         self.push(TokenKind::Unknown, start);
@@ -291,11 +274,7 @@ impl<'a> Lexer<'a> {
             return self.push(TokenKind::Raised(exponent), start);
         }
         let span = Span::new(start, self.at);
-        self.diagnostics.push(Diagnostic::error(
-            "malformed-number",
-            words("this is not an exponent", "esto no es un exponente"),
-            span,
-        ));
+        self.diagnostics.push(Diagnostic::error("malformed-number", words("this is not an exponent"), span));
         self.push(TokenKind::Unknown, start);
     }
 
@@ -320,7 +299,7 @@ impl<'a> Lexer<'a> {
         }
         if let Some((text, kind, ours)) = foreign {
             self.at += text.len();
-            let wrong = words!("`{text}` is written `{ours}` here", "`{text}` se escribe aquí `{ours}`");
+            let wrong = words!("`{text}` is written `{ours}` here");
             let span = Span::new(start, self.at);
             // A word such as `and` needs blanks around it.
             let is_word = ours.starts_with(|c: char| c.is_alphabetic());
@@ -348,31 +327,14 @@ impl<'a> Lexer<'a> {
 
 fn strange_character(character: char, span: Span) -> Diagnostic {
     let shown = if character.is_control() { format!("U+{:04X}", character as u32) } else { character.to_string() };
-    let wrong = words!(
-        "the character `{shown}` has no meaning in a model",
-        "el carácter `{shown}` no tiene significado en un modelo"
-    );
+    let wrong = words!("the character `{shown}` has no meaning in a model");
     let diagnostic = Diagnostic::error("unexpected-character", wrong, span);
     match character {
-        '%' => diagnostic.with_hint(words(
-            "a percentage is written 5 [%], a remainder mod(a, b)",
-            "un porcentaje se escribe 5 [%]; un resto, mod(a, b)",
-        )),
-        '\u{307}' | '\u{308}' => diagnostic.with_hint(words(
-            "derivatives are written with primes: y' and y''",
-            "las derivadas se escriben con primas: y' e y''",
-        )),
-        '$' => diagnostic.with_hint(words(
-            "formulas in $...$ belong to the prose around the model",
-            "las fórmulas entre $...$ van en el texto que rodea al modelo",
-        )),
-        '\\' => diagnostic.with_hint(words(
-            "write names without a backslash: omega_0, sqrt(x)",
-            "escribe los nombres sin barra invertida: omega_0, sqrt(x)",
-        )),
-        ']' => {
-            Diagnostic::error("unmatched-bracket", words("this `]` closes nothing", "este `]` no cierra nada"), span)
-        }
+        '%' => diagnostic.with_hint(words("a percentage is written 5 [%], a remainder mod(a, b)")),
+        '\u{307}' | '\u{308}' => diagnostic.with_hint(words("derivatives are written with primes: y' and y''")),
+        '$' => diagnostic.with_hint(words("formulas in $...$ belong to the prose around the model")),
+        '\\' => diagnostic.with_hint(words("write names without a backslash: omega_0, sqrt(x)")),
+        ']' => Diagnostic::error("unmatched-bracket", words("this `]` closes nothing"), span),
         _ => diagnostic,
     }
 }

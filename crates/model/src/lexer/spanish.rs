@@ -102,7 +102,7 @@ impl Lexer<'_> {
     fn say_english(&mut self, span: Span, ours: &str) {
         let edit = Edit { span, text: ours.to_owned() };
         let written = &self.source[span.range()];
-        let hint = words!("write `{ours}` for `{written}`", "escribe `{ours}` en lugar de `{written}`");
+        let hint = words!("write `{ours}` for `{written}`");
         let earlier = self.spanish_before(span.start).and_then(|at| self.diagnostics.get_mut(at));
         if let Some(earlier) = earlier {
             earlier.hints.push(hint);
@@ -111,10 +111,7 @@ impl Lexer<'_> {
             }
             return;
         }
-        let wrong = words!(
-            "`{written}` is not a word of the language: its words are English",
-            "`{written}` no es una palabra del lenguaje: sus palabras están en inglés"
-        );
+        let wrong = words!("`{written}` is not a word of the language: its words are English");
         let diagnostic = Diagnostic::error("unknown-word", wrong, span).with_hint(hint);
         self.diagnostics.push(diagnostic.with_fixes(vec![edit]));
     }

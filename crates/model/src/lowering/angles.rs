@@ -111,16 +111,9 @@ fn terms<'a>(angle: &'a Expression, found: &mut HashSet<&'a str>) {
 
 fn remark(name: &str, number: f64, span: Span) -> Diagnostic {
     let number = shortest(number);
-    Diagnostic::warning(
-        "radians",
-        words!(
-            "`{name}` is an angle, and without a unit its numbers are radians",
-            "`{name}` es un ángulo, y sin unidad sus números son radianes"
-        ),
-        span,
-    )
-    .with_hint(words!("for degrees write `{number} [deg]`", "para grados escribe `{number} [deg]`"))
-    .with_hint(words!("if radians are meant, write `{number} [rad]`", "si son radianes, escribe `{number} [rad]`"))
-    .with_fix(span.after(), " [deg]")
-    .with_fix(span.after(), " [rad]")
+    Diagnostic::warning("radians", words!("`{name}` is an angle, and without a unit its numbers are radians"), span)
+        .with_hint(words!("for degrees write `{number} [deg]`"))
+        .with_hint(words!("if radians are meant, write `{number} [rad]`"))
+        .with_fix(span.after(), " [deg]")
+        .with_fix(span.after(), " [rad]")
 }

@@ -292,20 +292,10 @@ fn close_initial_values(model: &mut Model, places: &[Span]) -> Result<(), Vec<Di
             continue;
         }
         let (what, hint) = match dependence.states.first().map(|&number| model.states[number as usize].name()) {
-            Some(name) => (
-                name.clone(),
-                words!("for its initial value write `{name}(0)`", "para su valor inicial escribe `{name}(0)`"),
-            ),
-            None => (
-                model.independent.name.clone(),
-                words("leave it out: the run starts at 0", "omítela: la simulación empieza en 0"),
-            ),
+            Some(name) => (name.clone(), words!("for its initial value write `{name}(0)`")),
+            None => (model.independent.name.clone(), words("leave it out: the run starts at 0")),
         };
-        let message = words!(
-            "the initial value of `{}` depends on `{what}`, which changes",
-            "el valor inicial de `{}` depende de `{what}`, que cambia",
-            state.name()
-        );
+        let message = words!("the initial value of `{}` depends on `{what}`, which changes", state.name());
         diagnostics.push(Diagnostic::error("initial-value-varies", message, *place).with_hint(hint));
     }
     let needs: Vec<Vec<usize>> = dependences
@@ -342,21 +332,13 @@ fn initial_circle(model: &Model, members: &[usize], places: &[Span]) -> Diagnost
     };
     let names: Vec<String> = members.iter().map(written).collect();
     let message = if names.len() == 1 {
-        words!(
-            "the initial value {names} is given by itself",
-            "el valor inicial {names} se da por sí mismo",
-            names = list(&names)
-        )
+        words!("the initial value {names} is given by itself", names = list(&names))
     } else {
-        words!(
-            "the initial values {names} go in a circle",
-            "los valores iniciales {names} forman un círculo",
-            names = list(&names)
-        )
+        words!("the initial values {names} go in a circle", names = list(&names))
     };
     let mut diagnostic = Diagnostic::error("cycle", message, places[members[0]]);
     for &other in &members[1..] {
-        diagnostic = diagnostic.with_label(places[other], words("and this", "y este"));
+        diagnostic = diagnostic.with_label(places[other], words("and this"));
     }
     diagnostic
 }

@@ -42,22 +42,16 @@ pub(crate) fn nonlinear(
             None => break,
         }
     }
-    let message = words!(
-        "the equation is not linear in its highest derivatives: {reason}",
-        "la ecuación no es lineal en sus derivadas de mayor orden: {reason}",
-        reason = reason(at)
-    );
+    let message = words!("the equation is not linear in its highest derivatives: {reason}", reason = reason(at));
     let mut diagnostic = Diagnostic::error("nonlinear-highest-derivative", message, at.span)
-        .with_label(equation.span, words("in this equation", "en esta ecuación"));
+        .with_label(equation.span, words("in this equation"));
     for index in through {
         let name = declarations.definitions[index].name;
-        diagnostic = diagnostic.with_label(name.span, words!("through `{}`", "a través de `{}`", name.text));
+        diagnostic = diagnostic.with_label(name.span, words!("through `{}`", name.text));
     }
     Ok(diagnostic.with_hint(words(
         "equations are solved for their highest derivatives, which may be added and multiplied by what contains none: \
          rewrite the equation so",
-        "de las ecuaciones se despejan las derivadas de mayor orden, que pueden sumarse y multiplicarse por lo que no \
-         contenga ninguna: reescribe así la ecuación",
     )))
 }
 
@@ -65,23 +59,23 @@ fn reason(expression: &Expression) -> Words {
     let quoted = quote(expression);
     match &expression.kind {
         ExpressionKind::Binary(BinaryOperator::Multiply, ..) => {
-            words!("`{quoted}` multiplies them with each other", "`{quoted}` las multiplica entre sí")
+            words!("`{quoted}` multiplies them with each other")
         }
         ExpressionKind::Binary(BinaryOperator::Divide, ..) => {
-            words!("`{quoted}` divides by one", "`{quoted}` divide por una")
+            words!("`{quoted}` divides by one")
         }
         ExpressionKind::Binary(BinaryOperator::Power, ..) => {
-            words!("`{quoted}` is a power of one", "`{quoted}` es una potencia de una")
+            words!("`{quoted}` is a power of one")
         }
-        ExpressionKind::Binary(..) => words!("`{quoted}` compares one", "`{quoted}` compara una"),
+        ExpressionKind::Binary(..) => words!("`{quoted}` compares one"),
         ExpressionKind::Call { function, .. } => {
-            words!("one stands inside `{}`", "hay una dentro de `{}`", function.text)
+            words!("one stands inside `{}`", function.text)
         }
         ExpressionKind::Expansion(expansion) => {
-            words!("one stands inside `{}`", "hay una dentro de `{}`", expansion.function)
+            words!("one stands inside `{}`", expansion.function)
         }
-        ExpressionKind::If(..) => words!("one decides `{quoted}`", "una decide `{quoted}`"),
-        _ => words!("`{quoted}` depends on them in another way", "`{quoted}` depende de ellas de otro modo"),
+        ExpressionKind::If(..) => words!("one decides `{quoted}`"),
+        _ => words!("`{quoted}` depends on them in another way"),
     }
 }
 
@@ -96,18 +90,10 @@ pub(crate) fn not_solvable(
     for (index, unknown) in unknowns.iter().enumerate().filter(|(index, _)| equation_of[*index].is_none()) {
         let highest = highest_names(unknowns, &[index]);
         let diagnostic = if contains.iter().any(|members| members.contains(&index)) {
-            let message = words!(
-                "the equations do not determine {highest}",
-                "las ecuaciones no determinan {highest}",
-                highest = highest
-            );
+            let message = words!("the equations do not determine {highest}");
             Diagnostic::error("equations-dependent", message, unknown.span)
         } else {
-            let message = words!(
-                "the coefficient of {highest} is 0, so no equation can be solved for it",
-                "el coeficiente de {highest} es 0, así que no se puede despejar de ninguna ecuación",
-                highest = highest
-            );
+            let message = words!("the coefficient of {highest} is 0, so no equation can be solved for it");
             Diagnostic::error("coefficient-zero", message, unknown.span)
         };
         diagnostics.push(diagnostic);
@@ -117,10 +103,7 @@ pub(crate) fn not_solvable(
             && let Some(first) = diagnostics.first_mut()
             && !first.labels.iter().any(|label| label.span == equation.span)
         {
-            *first = first.clone().with_label(
-                equation.span,
-                words("nothing is left here to solve for", "aquí no queda nada que despejar"),
-            );
+            *first = first.clone().with_label(equation.span, words("nothing is left here to solve for"));
         }
     }
     diagnostics
@@ -131,26 +114,16 @@ pub(crate) fn dependent(unknowns: &[Unknown], members: &[usize], equations: &[Sp
     let highest = highest_names(unknowns, members);
     let (&first, rest) = equations.split_first().unwrap_or((const { &Span { start: 0, end: 0 } }, &[]));
     if members.len() == 1 {
-        let message = words!(
-            "the coefficient of {highest} is 0, so the equation cannot be solved for it",
-            "el coeficiente de {highest} es 0, así que no se puede despejar de la ecuación",
-            highest = highest
-        );
+        let message = words!("the coefficient of {highest} is 0, so the equation cannot be solved for it");
         return Diagnostic::error("coefficient-zero", message, first);
     }
-    let message = words!(
-        "these equations do not determine {highest}: in these, one of them says no more than the others",
-        "estas ecuaciones no determinan {highest}: una de ellas no dice más que las demás",
-        highest = highest
-    );
+    let message =
+        words!("these equations do not determine {highest}: in these, one of them says no more than the others",);
     let mut diagnostic = Diagnostic::error("equations-dependent", message, first);
     for &span in rest {
-        diagnostic = diagnostic.with_label(span, words("depends on the others", "depende de las demás"));
+        diagnostic = diagnostic.with_label(span, words("depends on the others"));
     }
-    diagnostic.with_hint(words(
-        "replace one of them by an equation that says something else",
-        "sustituye una de ellas por una ecuación que diga otra cosa",
-    ))
+    diagnostic.with_hint(words("replace one of them by an equation that says something else"))
 }
 
 /// `y''`, `x''` and so on, each quoted.

@@ -59,12 +59,7 @@ pub(crate) fn add_friction(
     let first = declarations.equations.first().map(|equation| equation.span).unwrap_or_default();
     let span = |node: &NodeId| calls.get(node).map_or(first, |(span, _)| *span);
     if found.len() > limits::FRICTIONS {
-        let message = words!(
-            "the model has {} dry frictions; {} are the most",
-            "el modelo tiene {} rozamientos secos; el máximo son {}",
-            found.len(),
-            limits::FRICTIONS
-        );
+        let message = words!("the model has {} dry frictions; {} are the most", found.len(), limits::FRICTIONS);
         return Err(vec![Diagnostic::error("model-too-large", message, span(&found[limits::FRICTIONS]))]);
     }
     let states = model.states.len();
@@ -123,14 +118,11 @@ fn put_in_at_start(model: &mut Model, forces: &HashMap<NodeId, NodeId>) {
 fn start_without_friction(model: &Model, places: &Places) -> Result<(), Vec<Diagnostic>> {
     let depends = model.states.iter().position(|state| has_friction(&model.graph, &[state.initial]));
     let Some(span) = depends.and_then(|state| places.states.get(state)) else { return Ok(()) };
-    let message = words(
-        "this value at the start depends on dry friction, which depends on the values at the start",
-        "este valor inicial depende de un rozamiento seco, que depende de los valores iniciales",
-    );
-    Err(vec![Diagnostic::error("friction-at-start", message, *span).with_hint(words(
-        "dry friction belongs into the equation of motion: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
-        "el rozamiento seco va en la ecuación de movimiento: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
-    ))])
+    let message = words("this value at the start depends on dry friction, which depends on the values at the start");
+    Err(vec![
+        Diagnostic::error("friction-at-start", message, *span)
+            .with_hint(words("dry friction belongs into the equation of motion: `m*x'' = -k*x - coulomb(x', mu*m*g)`")),
+    ])
 }
 
 /// `node` at the start of the run, as a function of the initial states.
@@ -188,10 +180,7 @@ fn friction(
         return Err(without_effect(span));
     };
     if has_friction(&model.graph, &[speed, adhesion, sliding]) {
-        let message = words(
-            "the speed and the limits of dry friction must not depend on dry friction",
-            "la velocidad y los límites del rozamiento seco no pueden depender de un rozamiento seco",
-        );
+        let message = words("the speed and the limits of dry friction must not depend on dry friction");
         return Err(Box::new(Diagnostic::error("friction-of-friction", message, span)));
     }
     let rate = model.rates_of(&[speed])[0];
@@ -204,10 +193,7 @@ fn friction(
     };
     let effects: Vec<NodeId> = all.iter().map(|&other| by(graph, rate, other)).collect();
     if has_friction(graph, &effects) {
-        let message = words(
-            "the equations are not linear in this dry friction",
-            "las ecuaciones no son lineales en este rozamiento seco",
-        );
+        let message = words("the equations are not linear in this dry friction");
         return Err(Box::new(Diagnostic::error("friction-not-linear", message, span)));
     }
     let target = rates.iter().enumerate().find_map(|(state, &rate)| {
@@ -222,14 +208,9 @@ fn friction(
 }
 
 fn without_effect(span: Span) -> Box<Diagnostic> {
-    let message = words(
-        "this dry friction does not act on what moves with its speed",
-        "este rozamiento seco no actúa sobre lo que se mueve con su velocidad",
-    );
-    let diagnostic = Diagnostic::error("friction-without-effect", message, span).with_hint(words(
-        "write it into the equation of motion: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
-        "escríbelo en la ecuación de movimiento: `m*x'' = -k*x - coulomb(x', mu*m*g)`",
-    ));
+    let message = words("this dry friction does not act on what moves with its speed");
+    let diagnostic = Diagnostic::error("friction-without-effect", message, span)
+        .with_hint(words("write it into the equation of motion: `m*x'' = -k*x - coulomb(x', mu*m*g)`"));
     Box::new(diagnostic)
 }
 

@@ -70,14 +70,11 @@ pub(crate) fn solve(
 fn too_coupled(members: &[usize], unknowns: &[Unknown]) -> Diagnostic {
     let message = words!(
         "{} equations are coupled through their highest derivatives, each with many others; {} are the most",
-        "{} ecuaciones están acopladas por sus derivadas de mayor orden, cada una con muchas otras; el máximo son {}",
         members.len(),
         LinearSystem::MOST_DENSE
     );
-    let hint = words(
-        "more can be solved where each contains highest derivatives of few neighbours only, as in a chain",
-        "más se pueden resolver si cada una contiene derivadas de mayor orden de pocas vecinas, como en una cadena",
-    );
+    let hint =
+        words("more can be solved where each contains highest derivatives of few neighbours only, as in a chain");
     let span = members.first().map(|&member| unknowns[member].span).unwrap_or_default();
     Diagnostic::error("too-many-coupled-equations", message, span).with_hint(hint)
 }
@@ -129,13 +126,10 @@ fn linear_equations(
 pub(crate) fn too_many_nodes(span: Span) -> Diagnostic {
     let most = limits::NODES;
     let message = words!(
-        "the model becomes too large here: the expressions it stands for have too many operations, more than {most}",
-        "el modelo se hace aquí demasiado grande: las expresiones que representa tienen demasiadas operaciones, más de {most}"
+        "the model becomes too large here: the expressions it stands for have too many operations, more than {most}"
     );
-    Diagnostic::error("model-too-large", message, span).with_hint(words(
-        "make families smaller, or define what their members share as a quantity of its own",
-        "haz más pequeñas las familias, o define lo que comparten sus miembros como una magnitud propia",
-    ))
+    Diagnostic::error("model-too-large", message, span)
+        .with_hint(words("make families smaller, or define what their members share as a quantity of its own"))
 }
 
 /// Definitions that the equations use, in evaluation order.
@@ -165,10 +159,7 @@ fn uses_initial_highest(graph: &Graph, root: NodeId, states: u32) -> bool {
 }
 
 fn initial_highest(equation: &Equation) -> Diagnostic {
-    let message = words(
-        "the equation uses the initial value of a highest derivative, which only its solution gives",
-        "la ecuación usa el valor inicial de una derivada de mayor orden, que solo da su solución",
-    );
+    let message = words("the equation uses the initial value of a highest derivative, which only its solution gives");
     Diagnostic::error("initial-value-of-highest", message, equation.span)
 }
 

@@ -57,13 +57,9 @@ fn true_at_the_start(model: &Model, events: &[(&Event, Span, Span)], diagnostics
             continue;
         }
         if truth.iter().any(|&truth| graph.as_constant(truth).is_some_and(|truth| truth != 0.0)) {
-            let message = words(
-                "the condition is true at the start already, and there the event does not fire",
-                "la condición ya es verdadera al comienzo, y allí el evento no ocurre",
-            );
+            let message = words("the condition is true at the start already, and there the event does not fire");
             diagnostics.push(Diagnostic::warning("true-at-the-start", message, place).with_hint(words(
                 "it fires when it becomes true again; what holds from the start belongs in the initial values",
-                "ocurre cuando vuelve a ser verdadera; lo que vale desde el comienzo va en los valores iniciales",
             )));
         }
     }
@@ -80,17 +76,13 @@ fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Dia
             Some((discrete_kinds::quantity(&name).map_or_else(|| name.clone(), str::to_owned), *place))
         });
         if let Some((name, first)) = clash {
-            let message = words!(
-                "this event and an earlier one set `{name}` at the same moment",
-                "este evento y otro anterior fijan `{name}` en el mismo momento"
-            );
+            let message = words!("this event and an earlier one set `{name}` at the same moment");
             diagnostics.push(
-                Diagnostic::warning("set-twice", message, place)
-                    .with_label(first, words("the earlier one", "el anterior"))
-                    .with_hint(words(
+                Diagnostic::warning("set-twice", message, place).with_label(first, words("the earlier one")).with_hint(
+                    words(
                         "they act in the order of the document, each on what those before have left; write one event",
-                        "actúan en el orden del documento, cada uno sobre lo que han dejado los anteriores; escribe uno solo",
-                    )),
+                    ),
+                ),
             );
         }
     }
@@ -124,12 +116,9 @@ fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mu
         });
     }
     let Some((span, speed)) = found else { return };
-    let message = words!(
-        "`sign({speed})` cannot hold a body at rest: where `{speed}` comes to 0 the run stops",
-        "`sign({speed})` no puede mantener un cuerpo en reposo: donde `{speed}` llega a 0 la simulación se detiene"
+    let message = words!("`sign({speed})` cannot hold a body at rest: where `{speed}` comes to 0 the run stops");
+    diagnostics.push(
+        Diagnostic::warning("sign-as-friction", message, span)
+            .with_hint(words!("for dry friction write `coulomb({speed}, F)` in place of `F*sign({speed})`")),
     );
-    diagnostics.push(Diagnostic::warning("sign-as-friction", message, span).with_hint(words!(
-        "for dry friction write `coulomb({speed}, F)` in place of `F*sign({speed})`",
-        "para el rozamiento seco escribe `coulomb({speed}, F)` en lugar de `F*sign({speed})`"
-    )));
 }

@@ -83,8 +83,7 @@ impl<'a> NameCheck<'a> {
             return;
         }
         let ours = format!("exp({})", quote(exponent));
-        let message =
-            words!("the power of `e` is written `{ours}` here", "la potencia de `e` se escribe aquí `{ours}`");
+        let message = words!("the power of `e` is written `{ours}` here");
         let diagnostic = Diagnostic::error("foreign-power", message, span);
         let is_shortened = ours.contains("...");
         self.diagnostics.push(if is_shortened { diagnostic } else { diagnostic.with_fix(span, ours) });
@@ -97,10 +96,9 @@ impl<'a> NameCheck<'a> {
             return;
         };
         let Some(texts) = self.scope.choice(name).filter(|texts| !texts.contains(word)) else { return };
-        let message =
-            words!("`{name}` has no alternative \"{word}\"", "`{name}` no tiene ninguna alternativa \"{word}\"");
+        let message = words!("`{name}` has no alternative \"{word}\"");
         let texts: Vec<String> = texts.iter().map(|text| format!("\"{text}\"")).collect();
-        let hint = words!("it can be: {}", "puede ser: {}", texts.join(", "));
+        let hint = words!("it can be: {}", texts.join(", "));
         self.diagnostics.push(Diagnostic::error("not-a-choice", message, text.span).with_hint(hint));
     }
 
@@ -110,19 +108,15 @@ impl<'a> NameCheck<'a> {
         }
         let (what, value) = match self.scope.meaning(name) {
             None => return self.unknown(name, order, span, ""),
-            Some(Meaning::Parameter(_)) => (words("a parameter", "un parámetro"), 0),
-            Some(Meaning::Pi) => (words("a constant", "una constante"), 0),
-            Some(Meaning::Independent) => (words("the independent variable", "la variable independiente"), 1),
+            Some(Meaning::Parameter(_)) => (words("a parameter"), 0),
+            Some(Meaning::Pi) => (words("a constant"), 0),
+            Some(Meaning::Independent) => (words("the independent variable"), 1),
             Some(Meaning::Definition(_) | Meaning::Variable(_)) => return,
         };
         if order > 0 {
             let value = if order == 1 { value } else { 0 };
             let written = primed(name, order);
-            let message = words!(
-                "`{written}` is always {value}: `{name}` is {what}",
-                "`{written}` es siempre {value}: `{name}` es {what}",
-                what = what
-            );
+            let message = words!("`{written}` is always {value}: `{name}` is {what}");
             self.diagnostics.push(Diagnostic::error("prime-of-constant", message, span));
         }
     }
@@ -138,14 +132,11 @@ impl<'a> NameCheck<'a> {
         if order == 0
             && let Some(Meaning::Parameter(_) | Meaning::Pi | Meaning::Independent) = self.scope.meaning(name)
         {
-            let message = words!(
-                "`{name}` has no initial value: it is not an unknown of the equations",
-                "`{name}` no tiene valor inicial: no es una incógnita de las ecuaciones"
+            let message = words!("`{name}` has no initial value: it is not an unknown of the equations");
+            self.diagnostics.push(
+                Diagnostic::error("initial-value-of-constant", message, span)
+                    .with_hint(words!("write `{name}` alone, or `{name}*0` for a product")),
             );
-            self.diagnostics.push(Diagnostic::error("initial-value-of-constant", message, span).with_hint(words!(
-                "write `{name}` alone, or `{name}*0` for a product",
-                "escribe solo `{name}`, o `{name}*0` para un producto"
-            )));
         }
     }
 
@@ -181,32 +172,24 @@ impl<'a> NameCheck<'a> {
         }
         let text = &name.text;
         if self.scope.table(text).is_some() && arguments.len() != 1 {
-            let message =
-                words!("`{text}` is a table and takes 1 argument", "`{text}` es una tabla y toma 1 argumento");
+            let message = words!("`{text}` is a table and takes 1 argument");
             self.diagnostics.push(Diagnostic::error("wrong-argument-count", message, name.span));
         }
         if self.scope.is_function(text) {
             return;
         }
-        let message = words!("there is no function `{text}`", "no hay ninguna función `{text}`");
+        let message = words!("there is no function `{text}`");
         let mut diagnostic = Diagnostic::error("unknown-function", message, name.span);
         if self.scope.meaning(text).is_some() {
-            diagnostic.message = words!("`{text}` is not a function", "`{text}` no es una función");
+            diagnostic.message = words!("`{text}` is not a function");
             if let [Expression { kind: ExpressionKind::Name { name, order: 0 }, .. }] = arguments
                 && let Some(Meaning::Independent) = self.scope.meaning(name)
             {
-                diagnostic = diagnostic.with_hint(words!(
-                    "`{text}` alone is its value at `{name}`",
-                    "`{text}` solo es ya su valor en `{name}`"
-                ));
+                diagnostic = diagnostic.with_hint(words!("`{text}` alone is its value at `{name}`"));
                 diagnostic = diagnostic.with_fix(span, text.as_str());
             } else if let [argument] = arguments {
                 diagnostic = diagnostic
-                    .with_hint(words!(
-                        "for a product write `{text}*({})`",
-                        "para un producto escribe `{text}*({})`",
-                        quote(argument)
-                    ))
+                    .with_hint(words!("for a product write `{text}*({})`", quote(argument)))
                     .with_fix(name.span.after(), "*");
             }
         } else if let Some(refusal) = foreign::of_runs(name, arguments) {
@@ -225,19 +208,13 @@ impl<'a> NameCheck<'a> {
     fn wrong_count(&mut self, function: &Function, arguments: &[Expression], span: Span) {
         let message = match (function.name, function.arity(), arguments.len()) {
             (name, takes, 1) => {
-                words!("`{name}` takes {takes}, and 1 was given", "`{name}` toma {takes}, y se dio 1", takes = takes)
+                words!("`{name}` takes {takes}, and 1 was given")
             }
-            (name, takes, given) => words!(
-                "`{name}` takes {takes}, and {given} were given",
-                "`{name}` toma {takes}, y se dieron {given}",
-                takes = takes
-            ),
+            (name, takes, given) => words!("`{name}` takes {takes}, and {given} were given"),
         };
         let diagnostic = Diagnostic::error("wrong-argument-count", message, span);
         self.diagnostics.push(match decimal_comma(arguments) {
-            Some(comma) => diagnostic
-                .with_hint(words("a number has a decimal point", "los números llevan punto decimal"))
-                .with_fix(comma, "."),
+            Some(comma) => diagnostic.with_hint(words("a number has a decimal point")).with_fix(comma, "."),
             None => diagnostic,
         });
     }

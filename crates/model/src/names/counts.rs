@@ -59,23 +59,16 @@ pub(super) fn check_counts(
         } else {
             let solved: Vec<String> = contains[index].iter().map(|&unknown| highest[unknown].clone()).collect();
             let count = declarations.equations.len();
-            let message = words!(
-                "there are more equations than unknowns: {count} for {highest}",
-                "hay más ecuaciones que incógnitas: {count} para {highest}",
-                highest = list(&highest)
-            );
-            let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span).saying(words!(
-                "{solved} is already determined without this one",
-                "{solved} ya se determina sin esta",
-                solved = list(&solved)
-            ));
+            let message =
+                words!("there are more equations than unknowns: {count} for {highest}", highest = list(&highest));
+            let mut diagnostic = Diagnostic::error("too-many-equations", message, equation.span)
+                .saying(words!("{solved} is already determined without this one", solved = list(&solved)));
             let shares = |other: &usize| contains[*other].iter().any(|unknown| contains[index].contains(unknown));
             let others = (0..declarations.equations.len()).filter(|other| *other != index && shares(other));
             for other in others.take(limits::PLACES) {
-                diagnostic =
-                    diagnostic.with_label(declarations.equations[other].span, words("by this one", "por esta"));
+                diagnostic = diagnostic.with_label(declarations.equations[other].span, words("by this one"));
             }
-            diagnostic.with_hint(words("leave one of them out", "omite una de ellas"))
+            diagnostic.with_hint(words("leave one of them out"))
         });
     }
     // If the numbers agree, an equation left over was meant for the unknown left over, and has been reported.
@@ -94,22 +87,16 @@ fn nothing_to_solve_for(
     orders: &Orders,
     unknowns: &[Unknown],
 ) -> Diagnostic {
-    let message =
-        words("there is nothing that this equation could be solved for", "esta ecuación no tiene nada que despejar");
+    let message = words("there is nothing that this equation could be solved for");
     let mut diagnostic = Diagnostic::error("nothing-to-solve-for", message, equation.span);
     let lower: Vec<&Unknown> = unknowns.iter().filter(|unknown| orders.contains_key(unknown.name)).collect();
     if let Some(unknown) = lower.first() {
         let highest = primed(unknown.name, unknown.highest);
-        diagnostic = diagnostic.saying(words!("contains no `{highest}`", "no contiene `{highest}`")).with_label(
-            unknown.span,
-            words!(
-                "`{highest}`, the highest derivative, is here",
-                "`{highest}`, la derivada de mayor orden, está aquí"
-            ),
-        );
-    } else {
         diagnostic = diagnostic
-            .saying(words("contains no derivative of an unknown", "no contiene ninguna derivada de una incógnita"));
+            .saying(words!("contains no `{highest}`"))
+            .with_label(unknown.span, words!("`{highest}`, the highest derivative, is here"));
+    } else {
+        diagnostic = diagnostic.saying(words("contains no derivative of an unknown"));
     }
     let mut defined = None;
     for side in [equation.left, equation.right] {
@@ -123,27 +110,14 @@ fn nothing_to_solve_for(
     }
     if let Some(index) = defined {
         let name = declarations.definitions[index].name;
-        diagnostic = diagnostic.with_label(
-            name.span,
-            words!(
-                "`{}` is defined here, and so is no unknown",
-                "`{}` se define aquí, así que no es una incógnita",
-                name.text
-            ),
-        );
+        diagnostic = diagnostic.with_label(name.span, words!("`{}` is defined here, and so is no unknown", name.text));
     }
     if let ExpressionKind::Call { function, .. } = &equation.left.kind
         && Function::named(&function.text).is_none()
     {
-        return diagnostic.with_hint(words(
-            "a function of one's own is declared: `function f(x) = ...`",
-            "una función propia se declara: `function f(x) = ...`",
-        ));
+        return diagnostic.with_hint(words("a function of one's own is declared: `function f(x) = ...`"));
     }
-    diagnostic.with_hint(words(
-        "to define a quantity, write its name alone on the left: `v = y'`",
-        "para definir una magnitud, escribe solo su nombre a la izquierda: `v = y'`",
-    ))
+    diagnostic.with_hint(words("to define a quantity, write its name alone on the left: `v = y'`"))
 }
 
 fn no_equation_for(
@@ -153,20 +127,13 @@ fn no_equation_for(
     unknowns: &[Unknown],
 ) -> Diagnostic {
     let equations = match declarations.equations.len() {
-        1 => words("1 equation", "1 ecuación"),
-        count => words!("{count} equations", "{count} ecuaciones"),
+        1 => words("1 equation"),
+        count => words!("{count} equations"),
     };
     let missing = primed(unknown.name, unknown.highest);
-    let message = words!(
-        "there are more unknowns than equations: {highest} and {equations}",
-        "hay más incógnitas que ecuaciones: {highest} frente a {equations}",
-        highest = list(highest),
-        equations = equations
-    );
-    let diagnostic = Diagnostic::error("too-few-equations", message, unknown.span).saying(words!(
-        "no equation is left to determine `{missing}`",
-        "no queda ninguna ecuación que determine `{missing}`"
-    ));
+    let message = words!("there are more unknowns than equations: {highest} and {equations}", highest = list(highest),);
+    let diagnostic = Diagnostic::error("too-few-equations", message, unknown.span)
+        .saying(words!("no equation is left to determine `{missing}`"));
     let mut known = Scope::new(&declarations.independent.0);
     for other in unknowns.iter().filter(|other| other.name != unknown.name) {
         known.declare(other.name, Meaning::Pi);
@@ -175,13 +142,9 @@ fn no_equation_for(
         known.declare(&entry.name.text, Meaning::Pi);
     }
     match known.near(unknown.name) {
-        Some(near) => {
-            diagnostic.with_hint(words!("did you mean `{}`?", "¿querías decir `{}`?", primed(near, unknown.highest)))
+        Some(near) => diagnostic.with_hint(words!("did you mean `{}`?", primed(near, unknown.highest))),
+        None => {
+            diagnostic.with_hint(words!("write an equation for `{missing}`, or define it: `{} = ...`", unknown.name))
         }
-        None => diagnostic.with_hint(words!(
-            "write an equation for `{missing}`, or define it: `{} = ...`",
-            "escribe una ecuación para `{missing}`, o define `{} = ...`",
-            unknown.name
-        )),
     }
 }

@@ -194,12 +194,11 @@ impl<'a> Declarations<'a> {
         let mut titles: HashMap<&str, Span> = HashMap::new();
         for title in self.events.iter().filter_map(|event| event.button) {
             let Some(first) = titles.insert(title.text.trim(), title.span) else { continue };
-            let message =
-                words!("two buttons have the title \"{}\"", "dos botones tienen el título «{}»", title.text.trim());
+            let message = words!("two buttons have the title \"{}\"", title.text.trim());
             diagnostics.push(
                 Diagnostic::error("duplicate-name", message, title.span)
-                    .with_label(first, words("the first is here", "el primero está aquí"))
-                    .with_hint(words("give one of them another title", "da otro título a uno de ellos")),
+                    .with_label(first, words("the first is here"))
+                    .with_hint(words("give one of them another title")),
             );
         }
     }
@@ -213,36 +212,30 @@ impl<'a> Declarations<'a> {
     ) -> bool {
         let text = name.text.as_str();
         if let Some(&first) = declared.get(text) {
-            let message = words!("`{text}` is declared twice", "`{text}` se declara dos veces");
+            let message = words!("`{text}` is declared twice");
             diagnostics.push(
                 Diagnostic::error("duplicate-name", message, name.span)
-                    .saying(words("declared again here", "se declara de nuevo aquí"))
-                    .with_label(first, words("first declared here", "se declara primero aquí"))
-                    .with_hint(words("give one of them another name", "da otro nombre a una de ellas")),
+                    .saying(words("declared again here"))
+                    .with_label(first, words("first declared here"))
+                    .with_hint(words("give one of them another name")),
             );
             return false;
         }
         declared.insert(text, name.span);
         let reason = if text == PI {
-            words("it is the number 3.14159", "es el número 3,14159")
+            words("it is the number 3.14159")
         } else if text == self.independent.0 {
-            words("it is the independent variable", "es la variable independiente")
+            words("it is the independent variable")
         } else if Function::reserving(text).is_some() {
-            words("it is a function", "es una función")
+            words("it is a function")
         } else {
             return true;
         };
-        let mut diagnostic = Diagnostic::error(
-            "reserved-name",
-            words!("`{text}` cannot be declared: {reason}", "`{text}` no se puede declarar: {reason}", reason = reason),
-            name.span,
-        )
-        .with_hint(words!("choose another name, such as `{text}_1`", "elige otro nombre, por ejemplo `{text}_1`"));
+        let mut diagnostic =
+            Diagnostic::error("reserved-name", words!("`{text}` cannot be declared: {reason}"), name.span)
+                .with_hint(words!("choose another name, such as `{text}_1`"));
         if text == self.independent.0 {
-            let hint = words(
-                "or name another independent variable: `independent x in [m]`",
-                "o declara otra variable independiente: `independent x in [m]`",
-            );
+            let hint = words("or name another independent variable: `independent x in [m]`");
             diagnostic = diagnostic.with_hint(hint);
         }
         diagnostics.push(diagnostic);
@@ -261,23 +254,16 @@ fn independent(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>) -> (
             diagnostics.push(
                 Diagnostic::error(
                     "duplicate-independent",
-                    words("there is more than one independent variable", "hay más de una variable independiente"),
+                    words("there is more than one independent variable"),
                     name.span,
                 )
-                .with_label(first.span, words("the first is named here", "la primera se declara aquí"))
-                .with_hint(words(
-                    "partial differential equations are not solved here; keep one of them",
-                    "aquí no se resuelven ecuaciones en derivadas parciales; deja solo una",
-                )),
+                .with_label(first.span, words("the first is named here"))
+                .with_hint(words("partial differential equations are not solved here; keep one of them")),
             );
             continue;
         }
         if name.text == PI || Function::reserving(&name.text).is_some() {
-            let message = words!(
-                "`{}` cannot be the independent variable: the name is reserved",
-                "`{}` no puede ser la variable independiente: el nombre está reservado",
-                name.text
-            );
+            let message = words!("`{}` cannot be the independent variable: the name is reserved", name.text);
             diagnostics.push(Diagnostic::error("reserved-name", message, name.span));
         }
         let unit = unit.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
@@ -294,10 +280,7 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
     let unit = parameter.unit.as_ref().map(|stated| format!(" {}", stated.unit)).unwrap_or_default();
     let value = parameter.value;
     if !value.is_finite() {
-        let message = words!(
-            "the value of `{name}` is too large for a number",
-            "el valor de `{name}` es demasiado grande para un número"
-        );
+        let message = words!("the value of `{name}` is too large for a number");
         diagnostics.push(Diagnostic::error("number-too-large", message, parameter.value_span));
     }
     if let Some(bounds) = &parameter.range {
@@ -306,39 +289,27 @@ fn check_parameter(parameter: &ParameterStatement, diagnostics: &mut Vec<Diagnos
             diagnostics.push(
                 Diagnostic::error(
                     "empty-range",
-                    words!(
-                        "the range of `{name}` is empty: {low} is greater than {high}",
-                        "el intervalo de `{name}` está vacío: {low} es mayor que {high}"
-                    ),
+                    words!("the range of `{name}` is empty: {low} is greater than {high}"),
                     bounds.span,
                 )
-                .with_hint(words!("write `in {high}..{low}`", "escribe `in {high}..{low}`")),
+                .with_hint(words!("write `in {high}..{low}`")),
             );
         } else if !(low..=high).contains(&value) {
             diagnostics.push(
                 Diagnostic::error(
                     "default-out-of-range",
-                    words!(
-                        "the value of `{name}`, {value}{unit}, lies outside its range {low}..{high}{unit}",
-                        "el valor de `{name}`, {value}{unit}, está fuera de su intervalo {low}..{high}{unit}"
-                    ),
+                    words!("the value of `{name}`, {value}{unit}, lies outside its range {low}..{high}{unit}"),
                     parameter.value_span,
                 )
-                .with_label(
-                    bounds.span,
-                    words("the range, in the unit of the value", "el intervalo, en la unidad del valor"),
-                )
-                .with_hint(words("widen the range or change the value", "amplía el intervalo o cambia el valor")),
+                .with_label(bounds.span, words("the range, in the unit of the value"))
+                .with_hint(words("widen the range or change the value")),
             );
         }
     }
     if let Some(step) = parameter.step
         && !(step > 0.0 && step.is_finite())
     {
-        let message = words!(
-            "the step of `{name}` is {step}: it must be greater than 0",
-            "el paso de `{name}` es {step}: debe ser mayor que 0"
-        );
+        let message = words!("the step of `{name}` is {step}: it must be greater than 0");
         diagnostics.push(Diagnostic::error("step-not-positive", message, parameter.name.span));
     }
 }

@@ -32,16 +32,12 @@ pub(crate) fn check_event(
         if let Some(first) = event.actions[..index].iter().find(is_same) {
             let message = words!(
                 "the event changes `{}` twice",
-                "el evento cambia `{}` dos veces",
                 primed(discrete_kinds::quantity(&action.name.text).unwrap_or(&action.name.text), action.order)
             );
             diagnostics.push(
                 Diagnostic::error("duplicate-action", message, action.name.span)
-                    .with_label(first.name.span, words("first here", "primero aquí"))
-                    .with_note(words(
-                        "all actions of an event use the values before it",
-                        "todas las acciones de un evento usan los valores anteriores a él",
-                    )),
+                    .with_label(first.name.span, words("first here"))
+                    .with_note(words("all actions of an event use the values before it")),
             );
         }
     }
@@ -83,14 +79,10 @@ fn is_number(declarations: &Declarations, expression: &Expression, depth: usize)
 }
 
 fn at_equality(part: &Expression, left: &Expression, right: &Expression) -> Diagnostic {
-    let message = words(
-        "this is hardly ever true exactly, so the event may never fire",
-        "esto casi nunca se cumple exactamente: puede que el evento no ocurra nunca",
-    );
+    let message = words("this is hardly ever true exactly, so the event may never fire");
     let (left, right) = (quote(left), quote(right));
     Diagnostic::warning("event-at-equality", message, part.span).with_hint(words!(
-        "write `{left} < {right}` or `{left} > {right}`; only alone, as in `when {left} == {right}`, is it a crossing",
-        "escribe `{left} < {right}` o `{left} > {right}`; solo si está sola, como en `when {left} == {right}`, es un cruce"
+        "write `{left} < {right}` or `{left} > {right}`; only alone, as in `when {left} == {right}`, is it a crossing"
     ))
 }
 
@@ -104,57 +96,30 @@ fn check_action(declarations: &Declarations, unknowns: &[Unknown], action: &Acti
             if action.order < unknown.highest {
                 return None;
             }
-            error(words!(
-                "an event cannot change `{written}`: the equations determine it",
-                "un evento no puede cambiar `{written}`: lo determinan las ecuaciones"
-            ))
-            .with_label(unknown.span, words("it is determined here", "se determina aquí"))
-            .with_hint(words!(
-                "change `{}` instead",
-                "cambia `{}` en su lugar",
-                primed(name, unknown.highest - 1)
-            ))
+            error(words!("an event cannot change `{written}`: the equations determine it"))
+                .with_label(unknown.span, words("it is determined here"))
+                .with_hint(words!("change `{}` instead", primed(name, unknown.highest - 1)))
         }
         Some(Meaning::Definition(index)) => {
             let definition = &declarations.definitions[index];
-            let diagnostic = error(words!(
-                "an event cannot change `{written}`: `{name}` is defined by an expression",
-                "un evento no puede cambiar `{written}`: `{name}` se define con una expresión"
-            ))
-            .with_label(definition.name.span, words("it is defined here", "se define aquí"));
+            let diagnostic = error(words!("an event cannot change `{written}`: `{name}` is defined by an expression"))
+                .with_label(definition.name.span, words("it is defined here"));
             match &definition.value.kind {
                 ExpressionKind::Name { name: state, order } if action.order == 0 => {
-                    diagnostic.with_hint(words!("write `{} = ...`", "escribe `{} = ...`", primed(state, *order)))
+                    diagnostic.with_hint(words!("write `{} = ...`", primed(state, *order)))
                 }
-                _ => diagnostic.with_hint(words(
-                    "change the states that it is computed from",
-                    "cambia los estados a partir de los que se calcula",
-                )),
+                _ => diagnostic.with_hint(words("change the states that it is computed from")),
             }
         }
-        Some(Meaning::Parameter(_)) => error(words!(
-            "an event cannot change `{name}`: it is a parameter",
-            "un evento no puede cambiar `{name}`: es un parámetro"
-        )),
-        Some(Meaning::Independent | Meaning::Pi) => {
-            error(words!("an event cannot change `{name}`", "un evento no puede cambiar `{name}`"))
-        }
+        Some(Meaning::Parameter(_)) => error(words!("an event cannot change `{name}`: it is a parameter")),
+        Some(Meaning::Independent | Meaning::Pi) => error(words!("an event cannot change `{name}`")),
         None => {
-            let diagnostic = Diagnostic::error(
-                "unknown-name",
-                words!("`{name}` is not known", "no se conoce `{name}`"),
-                action.name.span,
-            );
+            let diagnostic = Diagnostic::error("unknown-name", words!("`{name}` is not known"), action.name.span);
             match declarations.scope.near(name) {
-                Some(near) => diagnostic.with_hint(words!(
-                    "did you mean `{}`?",
-                    "¿querías decir `{}`?",
-                    primed(near, action.order)
-                )),
-                None if action.order == 0 => diagnostic.with_hint(words!(
-                    "declare it with its value at the start: `discrete {name} = 0`",
-                    "declárala con su valor al comienzo: `discrete {name} = 0`"
-                )),
+                Some(near) => diagnostic.with_hint(words!("did you mean `{}`?", primed(near, action.order))),
+                None if action.order == 0 => {
+                    diagnostic.with_hint(words!("declare it with its value at the start: `discrete {name} = 0`"))
+                }
                 None => diagnostic,
             }
         }

@@ -58,30 +58,17 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
     };
     if DERIVATIVES.contains(&text.as_str()) {
         let name = name.map_or("x", String::as_str);
-        return Some(words!(
-            "the derivative of `{name}` is written `{name}'`",
-            "la derivada de `{name}` se escribe `{name}'`"
-        ));
+        return Some(words!("the derivative of `{name}` is written `{name}'`"));
     }
     if VECTORS.contains(&text.as_str()) {
-        return Some(words(
-            "a vector is its components in parentheses: `(1, 0, 0)`",
-            "un vector son sus componentes entre paréntesis: `(1, 0, 0)`",
-        ));
+        return Some(words("a vector is its components in parentheses: `(1, 0, 0)`"));
     }
     if ["norm", "dot", "cross"].contains(&text.as_str()) {
-        return Some(words!(
-            "`{text}` is for vectors, and here is none: one is defined as in `r = (x, y)`",
-            "`{text}` es para vectores, y aquí no hay ninguno: se definen así: `r = (x, y)`"
-        ));
+        return Some(words!("`{text}` is for vectors, and here is none: one is defined as in `r = (x, y)`"));
     }
     let name = name.filter(|_| arguments.len() == 1)?;
-    matches!(scope.meaning(name), Some(Meaning::Independent)).then(|| {
-        words!(
-            "write `{text}` alone: every quantity may depend on `{name}`",
-            "escribe solo `{text}`: toda magnitud puede depender de `{name}`"
-        )
-    })
+    matches!(scope.meaning(name), Some(Meaning::Independent))
+        .then(|| words!("write `{text}` alone: every quantity may depend on `{name}`"))
 }
 
 /// Error for `maximum(x)` in a place where it is not defined, and for `maximum(a, b)`.
@@ -90,18 +77,10 @@ pub(super) fn of_runs(function: &Name, arguments: &[Expression]) -> Option<Diagn
     let kind = AggregateKind::named(text)?;
     let [argument] = arguments else {
         let count = arguments.len();
-        let message = words!(
-            "`{text}` takes 1 argument, and {count} were given",
-            "`{text}` toma 1 argumento, y se dieron {count}"
-        );
+        let message = words!("`{text}` takes 1 argument, and {count} were given");
         let of_several = match kind {
-            AggregateKind::Maximum => Some(words(
-                "the greatest of several numbers is `max(a, b)`",
-                "el mayor de varios números es `max(a, b)`",
-            )),
-            AggregateKind::Minimum => {
-                Some(words("the least of several numbers is `min(a, b)`", "el menor de varios números es `min(a, b)`"))
-            }
+            AggregateKind::Maximum => Some(words("the greatest of several numbers is `max(a, b)`")),
+            AggregateKind::Minimum => Some(words("the least of several numbers is `min(a, b)`")),
             AggregateKind::Mean | AggregateKind::Integral => None,
         };
         let diagnostic = Diagnostic::error("wrong-argument-count", message, function.span);
@@ -114,14 +93,11 @@ pub(super) fn of_runs(function: &Name, arguments: &[Expression]) -> Option<Diagn
         ExpressionKind::Name { name, order: 0 } => name.as_str(),
         _ => "x",
     };
-    let message = words!(
-        "`{text}` cannot stand here: it is taken of a run, and here is one moment of it",
-        "`{text}` no puede ir aquí: se toma de una simulación, y aquí solo hay un instante"
-    );
-    Some(Diagnostic::error("unknown-function", message, function.span).with_hint(words!(
-        "a run remembers only what the model asks for: write `{name}_1 = {text}({name})` there",
-        "una simulación solo recuerda lo que el modelo pide: escribe allí `{name}_1 = {text}({name})`"
-    )))
+    let message = words!("`{text}` cannot stand here: it is taken of a run, and here is one moment of it");
+    Some(
+        Diagnostic::error("unknown-function", message, function.span)
+            .with_hint(words!("a run remembers only what the model asks for: write `{name}_1 = {text}({name})` there")),
+    )
 }
 
 /// `y'` for `diff(y)` and `diff(y, t)`.
@@ -146,7 +122,7 @@ pub(crate) fn quotients(scope: &Scope, expression: &Expression) -> Vec<Diagnosti
         if let Some((variable, order)) = derivative(scope, above, below) {
             let span = above.span.to(below.span);
             let (written, ours) = (format!("{}/{}", quote(above), quote(below)), primed(variable, order));
-            let message = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
+            let message = words!("`{written}` is written `{ours}` here");
             found.push(Diagnostic::error("foreign-derivative", message, span).with_fix(span, ours));
         }
     });

@@ -14,28 +14,19 @@ pub(super) fn hint(scope: &Scope, name: &str) -> Option<Words> {
     let Some(family) = family(name) else {
         let (first, _) = members(name)?;
         return Some(words!(
-            "`{name}` is a family: write one of its members, as `{first}`, or join them, as in `sum({name}[i] for i in 1..3)`",
-            "`{name}` es una familia: escribe uno de sus miembros, como `{first}`, o júntalos, como en `sum({name}[i] for i in 1..3)`"
+            "`{name}` is a family: write one of its members, as `{first}`, or join them, as in `sum({name}[i] for i in 1..3)`"
         ));
     };
     if scope.meaning(family).is_some() {
         return Some(words!(
-            "`{family}` is a single quantity and has no members; a unit after it is written `in [..]`",
-            "`{family}` es una sola magnitud y no tiene miembros; una unidad tras ella se escribe `in [..]`"
+            "`{family}` is a single quantity and has no members; a unit after it is written `in [..]`"
         ));
     }
     Some(match members(family) {
-        Some((first, Some(last))) => words!(
-            "the members `{first}` to `{last}` are given; give this one, too: `{name} = ...`",
-            "se dan los miembros de `{first}` a `{last}`; da también este: `{name} = ...`"
-        ),
-        Some((only, None)) => words!(
-            "only the member `{only}` is given; give this one, too: `{name} = ...`",
-            "solo se da el miembro `{only}`; da también este: `{name} = ...`"
-        ),
-        None => words!(
-            "give its members: `{family}[i] = ... for i in 1..10`, or an equation for each",
-            "da sus miembros: `{family}[i] = ... for i in 1..10`, o una ecuación para cada uno"
-        ),
+        Some((first, Some(last))) => {
+            words!("the members `{first}` to `{last}` are given; give this one, too: `{name} = ...`")
+        }
+        Some((only, None)) => words!("only the member `{only}` is given; give this one, too: `{name} = ...`"),
+        None => words!("give its members: `{family}[i] = ... for i in 1..10`, or an equation for each"),
     })
 }

@@ -6,7 +6,7 @@ use super::traverse::for_each_name;
 use crate::matching::blocks;
 use crate::notation::quote;
 use crate::{Diagnostic, Expression, ExpressionKind};
-use units::{Words, words};
+use units::{Conjunction, Words, words};
 
 /// Indices of definitions, each after those that it uses. Members of circles and definitions that use them are left out.
 /// Each circle is reported.
@@ -82,38 +82,25 @@ fn circle(declarations: &Declarations, members: &[usize], uses: &[Vec<usize>]) -
     if members.len() == 1 {
         let text = &first.text;
         let extremum = extremum(text, declarations.definitions[members[0]].value);
-        let diagnostic = Diagnostic::error(
-            "cycle",
-            words!("`{text}` is defined by itself", "`{text}` se define por sí misma"),
-            first.span,
-        );
+        let diagnostic = Diagnostic::error("cycle", words!("`{text}` is defined by itself"), first.span);
         return match extremum {
-            Some((keeps, other)) => diagnostic.with_hint(words!(
-                "what it was so far is kept by the run: `{text} = {keeps}({other})`",
-                "lo que ha sido hasta ahora lo guarda la simulación: `{text} = {keeps}({other})`"
-            )),
+            Some((keeps, other)) => {
+                diagnostic.with_hint(words!("what it was so far is kept by the run: `{text} = {keeps}({other})`"))
+            }
             None => diagnostic
+                .with_hint(words!("for a differential equation write `{text}' = ...` and give `{text}(0)`"))
                 .with_hint(words!(
-                    "for a differential equation write `{text}' = ...` and give `{text}(0)`",
-                    "para una ecuación diferencial escribe `{text}' = ...` y da `{text}(0)`"
-                ))
-                .with_hint(words!(
-                    "what events change is declared with its value at the start: `discrete {text} = ...`",
-                    "lo que cambian los eventos se declara con su valor al comienzo: `discrete {text} = ...`"
+                    "what events change is declared with its value at the start: `discrete {text} = ...`"
                 )),
         };
     }
     let names: Vec<String> = members.iter().map(|&index| format!("`{}`", name(index).text)).collect();
-    let message = words!(
-        "the definitions of {names} go in a circle",
-        "las definiciones de {names} forman un círculo",
-        names = list(&names)
-    );
+    let message = words!("the definitions of {names} go in a circle", names = list(&names));
     let mut diagnostic = Diagnostic::error("cycle", message, first.span);
     for (position, &index) in members.iter().enumerate() {
         let used = uses[index].iter().filter(|used| members.contains(used));
         let used: Vec<String> = used.map(|&used| format!("`{}`", name(used).text)).collect();
-        let text = words!("uses {used}", "usa {used}", used = list(&used));
+        let text = words!("uses {used}", used = list(&used));
         diagnostic =
             if position == 0 { diagnostic.saying(text) } else { diagnostic.with_label(name(index).span, text) };
     }
@@ -143,31 +130,12 @@ pub(crate) fn list(items: &[String]) -> Words {
     if items.len() > LONGEST_LIST {
         let (first, others) = items.split_at(LONGEST_LIST - 1);
         let (first, others) = (first.join(", "), others.len());
-        return words!("{first} and {others} others", "{first} y otros {others}");
+        return words!("{first} and {others} others");
     }
-    // Spanish "y" becomes "e" before the same sound: `x` e `y`.
-    let and = |last: &str| if sounds_like(last, &['i', 'I', 'y', 'Y']) { "e" } else { "y" };
-    joined(items, "and", and)
+    Words::list(items.to_vec(), Conjunction::And)
 }
 
 /// `a`, `a or b`, `a, b or c`
 pub(crate) fn alternatives(items: &[String]) -> Words {
-    let or = |last: &str| if sounds_like(last, &['o', 'O']) { "u" } else { "o" };
-    joined(items, "or", or)
-}
-
-/// True if a name in backquotes begins with one of these letters.
-fn sounds_like(name: &str, letters: &[char]) -> bool {
-    name.trim_start_matches('`').starts_with(letters)
-}
-
-fn joined(items: &[String], english: &str, spanish: impl Fn(&str) -> &'static str) -> Words {
-    match items {
-        [] => Words::default(),
-        [only] => Words::same(only.clone()),
-        [first @ .., last] => {
-            let (first, spanish) = (first.join(", "), spanish(last));
-            words!("{first} {english} {last}", "{first} {spanish} {last}")
-        }
-    }
+    Words::list(items.to_vec(), Conjunction::Or)
 }

@@ -30,20 +30,15 @@ pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> 
     let mut spans = places.iter().map(|(span, _)| *span);
     let first = spans.next().unwrap_or_default();
     let message = if order > 0 {
-        words!(
-            "nothing determines `{}`: `{name}` is neither defined nor in an equation",
-            "nada determina `{}`: `{name}` no se define ni aparece en una ecuación",
-            primed(name, order)
-        )
+        words!("nothing determines `{}`: `{name}` is neither defined nor in an equation", primed(name, order))
     } else {
-        words!("`{name}` is not known", "no se conoce `{name}`")
+        words!("`{name}` is not known")
     };
     let mut diagnostic = Diagnostic::error("unknown-name", message, first);
     for place in spans.take(limits::PLACES) {
-        diagnostic = diagnostic.with_label(place, words("and here", "y aquí"));
+        diagnostic = diagnostic.with_label(place, words("and here"));
     }
-    let is_function =
-        || words!("`{name}` is a function: write `{name}(...)`", "`{name}` es una función: escribe `{name}(...)`");
+    let is_function = || words!("`{name}` is a function: write `{name}(...)`");
     if scope.is_function(name) {
         return diagnostic.with_hint(is_function());
     }
@@ -59,14 +54,14 @@ pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> 
         diagnostic.with_fixes(edits.collect())
     };
     if let Some(factors) = as_product(scope, name) {
-        let hint = words!("for a product write `{factors}`", "para un producto escribe `{factors}`");
+        let hint = words!("for a product write `{factors}`");
         return meaning(diagnostic.with_hint(hint), &factors);
     }
     if let Some(hint) = as_differential(scope, name).filter(|_| order == 0) {
         return diagnostic.with_hint(hint);
     }
     if let Some(near) = scope.called(name).filter(|_| order == 0).or_else(|| scope.near(name)) {
-        let hint = words!("did you mean `{near}`?", "¿querías decir `{near}`?");
+        let hint = words!("did you mean `{near}`?");
         return meaning(diagnostic.with_hint(hint), near);
     }
     if Function::named(name).is_some() {
@@ -75,32 +70,21 @@ pub(super) fn unknown_name(scope: &Scope, unknown: &Unknown, in_model: bool) -> 
     match name {
         _ if order > 0 => {
             let highest = primed(name, order.max(2));
-            diagnostic.with_hint(words!(
-                "write an equation for it, such as `{highest} = ...`, or define `{name} = ...`",
-                "escribe una ecuación para ella, por ejemplo `{highest} = ...`, o define `{name} = ...`"
-            ))
+            diagnostic
+                .with_hint(words!("write an equation for it, such as `{highest} = ...`, or define `{name} = ...`"))
         }
-        "t" => diagnostic.with_hint(words!(
-            "the independent variable is `{}`",
-            "la variable independiente es `{}`",
-            scope.independent
-        )),
+        "t" => diagnostic.with_hint(words!("the independent variable is `{}`", scope.independent)),
         "verdadero" | "cierto" => diagnostic.meaning("true"),
         "falso" => diagnostic.meaning("false"),
         "encendido" => diagnostic.meaning("on"),
         "apagado" => diagnostic.meaning("off"),
-        "on" | "off" | "true" | "false" => diagnostic.with_hint(words(
-            "what is true or false stands alone: `if drag then ... else ...`, `not drag`",
-            "lo que es verdadero o falso va solo: `if drag then ... else ...`, `not drag`",
-        )),
-        "e" => diagnostic.with_hint(words(
-            "for a power of 2.718... write `exp(x)`",
-            "para una potencia de 2,718... escribe `exp(x)`",
-        )),
-        _ if in_model => diagnostic.with_hint(words!(
-            "declare it: `parameter {name} = 1`, with its unit, or `{name} = ...`",
-            "declárala: `parameter {name} = 1`, con su unidad, o `{name} = ...`"
-        )),
+        "on" | "off" | "true" | "false" => {
+            diagnostic.with_hint(words("what is true or false stands alone: `if drag then ... else ...`, `not drag`"))
+        }
+        "e" => diagnostic.with_hint(words("for a power of 2.718... write `exp(x)`")),
+        _ if in_model => {
+            diagnostic.with_hint(words!("declare it: `parameter {name} = 1`, with its unit, or `{name} = ...`"))
+        }
         _ => diagnostic.with_hint(known_names(scope)),
     }
 }
@@ -110,21 +94,17 @@ fn known_names(scope: &Scope) -> Words {
     let is_written = |name: &&str| *name != PI && name.chars().all(|c| c == '_' || c.is_alphanumeric());
     let names = scope.names().filter(is_written).map(|name| format!("`{name}`"));
     let names = names.take(MOST_NAMES).collect::<Vec<_>>().join(", ");
-    words!("the model has the names {names}", "el modelo tiene los nombres {names}")
+    words!("the model has the names {names}")
 }
 
 /// Hint for the parts of `dy/dt`.
 fn as_differential(scope: &Scope, name: &str) -> Option<Words> {
     let variable = name.strip_prefix('d')?;
     match scope.meaning(variable)? {
-        Meaning::Independent => Some(words(
-            "derivatives are written with primes: `y'`, `y''`",
-            "las derivadas se escriben con primas: `y'`, `y''`",
-        )),
-        Meaning::Variable(_) | Meaning::Definition(_) => Some(words!(
-            "the derivative of `{variable}` is written `{variable}'`",
-            "la derivada de `{variable}` se escribe `{variable}'`"
-        )),
+        Meaning::Independent => Some(words("derivatives are written with primes: `y'`, `y''`")),
+        Meaning::Variable(_) | Meaning::Definition(_) => {
+            Some(words!("the derivative of `{variable}` is written `{variable}'`"))
+        }
         Meaning::Parameter(_) | Meaning::Pi => None,
     }
 }

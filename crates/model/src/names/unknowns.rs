@@ -45,11 +45,7 @@ pub(crate) fn find_unknowns<'a>(
     unknowns.retain(|unknown| unknown.highest > 0);
     let too_high = unknowns.iter().find(|unknown| unknown.highest > limits::ORDER);
     if let Some(Unknown { name, span, .. }) = too_high {
-        let message = words!(
-            "`{name}` is differentiated too often; {} times are the most",
-            "`{name}` se deriva demasiadas veces; el máximo son {}",
-            limits::ORDER
-        );
+        let message = words!("`{name}` is differentiated too often; {} times are the most", limits::ORDER);
         diagnostics.push(Diagnostic::error("too-many-primes", message, *span));
         unknowns.retain(|unknown| unknown.highest <= limits::ORDER);
     }
@@ -62,14 +58,8 @@ pub(crate) fn find_unknowns<'a>(
     if let Some(Unknown { name, span, .. }) =
         unknowns.iter().find(|unknown| Function::reserving(unknown.name).is_some())
     {
-        let message = words!(
-            "`{name}` cannot be an unknown: it is a function",
-            "`{name}` no puede ser una incógnita: es una función"
-        );
-        diagnostics.push(
-            Diagnostic::error("reserved-name", message, *span)
-                .with_hint(words("choose another name", "elige otro nombre")),
-        );
+        let message = words!("`{name}` cannot be an unknown: it is a function");
+        diagnostics.push(Diagnostic::error("reserved-name", message, *span).with_hint(words("choose another name")));
         // Its initial value was parsed as a call, so the counts below would be wrong.
         return unknowns;
     }
@@ -140,63 +130,39 @@ fn assign_initial_values<'a>(
                         *slot = Some(*entry);
                         continue;
                     }
-                    Some(Some(first)) => error(
-                        "duplicate-initial-value",
-                        words!("`{written}` is given twice", "`{written}` se da dos veces"),
-                    )
-                    .saying(words("given again here", "se da de nuevo aquí"))
-                    .with_label(first.name.span, words("first given here", "se da primero aquí")),
+                    Some(Some(first)) => error("duplicate-initial-value", words!("`{written}` is given twice"))
+                        .saying(words("given again here"))
+                        .with_label(first.name.span, words("first given here")),
                     None => error(
                         "initial-value-of-highest",
-                        words!(
-                            "`{written}` cannot be given: the equation determines `{highest}`",
-                            "`{written}` no se puede dar: la ecuación determina `{highest}`"
-                        ),
+                        words!("`{written}` cannot be given: the equation determines `{highest}`"),
                     )
-                    .with_label(unknown.span, words("by this equation", "por esta ecuación"))
-                    .with_hint(words("leave it out", "omítelo")),
+                    .with_label(unknown.span, words("by this equation"))
+                    .with_hint(words("leave it out")),
                 }
             }
             Some(Meaning::Definition(index)) => {
                 let defined = declarations.definitions[index].name;
                 error(
                     "initial-value-of-definition",
-                    words!(
-                        "`{name}` is defined, so it has no initial value to be given",
-                        "`{name}` está definida, así que no se le puede dar un valor inicial"
-                    ),
+                    words!("`{name}` is defined, so it has no initial value to be given"),
                 )
-                .with_label(defined.span, words("defined here", "se define aquí"))
+                .with_label(defined.span, words("defined here"))
             }
             Some(Meaning::Parameter(_) | Meaning::Independent | Meaning::Pi) => error(
                 "initial-value-of-constant",
-                words!(
-                    "`{name}` is not an unknown of the equations, so it has no initial value",
-                    "`{name}` no es una incógnita de las ecuaciones, así que no tiene valor inicial"
-                ),
+                words!("`{name}` is not an unknown of the equations, so it has no initial value"),
             ),
             None => {
-                let diagnostic = error(
-                    "initial-value-without-equation",
-                    words!(
-                        "no equation contains a derivative of `{name}`",
-                        "ninguna ecuación contiene una derivada de `{name}`"
-                    ),
-                )
-                .saying(words!(
-                    "`{written}` is the initial value of nothing",
-                    "`{written}` no es el valor inicial de nada"
-                ));
+                let diagnostic =
+                    error("initial-value-without-equation", words!("no equation contains a derivative of `{name}`"))
+                        .saying(words!("`{written}` is the initial value of nothing"));
                 match declarations.scope.near(name) {
                     Some(near) => diagnostic.meaning(near),
                     None if entry.order == 0 && is_set_by_event(declarations, name) => diagnostic.with_hint(words!(
-                        "what only events change is declared with its value: `discrete {name} = ...`",
-                        "lo que solo cambian los eventos se declara con su valor: `discrete {name} = ...`"
+                        "what only events change is declared with its value: `discrete {name} = ...`"
                     )),
-                    None => diagnostic.with_hint(words!(
-                        "write an equation with `{name}'`, or define `{name} = ...`",
-                        "escribe una ecuación con `{name}'`, o define `{name} = ...`"
-                    )),
+                    None => diagnostic.with_hint(words!("write an equation with `{name}'`, or define `{name} = ...`")),
                 }
             }
         };
@@ -240,15 +206,9 @@ fn check_initial_values(declarations: &Declarations, unknown: &Unknown, diagnost
     let highest = primed(unknown.name, unknown.highest);
     let names = list(&missing);
     let (message, needs) = if missing.len() == 1 {
-        (
-            words!("{names} is not given", "falta {names}", names = names),
-            words!("`{highest}` here needs its initial value", "`{highest}` necesita aquí su valor inicial"),
-        )
+        (words!("{names} is not given"), words!("`{highest}` here needs its initial value"))
     } else {
-        (
-            words!("{names} are not given", "faltan {names}", names = names),
-            words!("`{highest}` here needs their initial values", "`{highest}` necesita aquí sus valores iniciales"),
-        )
+        (words!("{names} are not given"), words!("`{highest}` here needs their initial values"))
     };
     let given: Vec<String> = missing.iter().map(|written| format!("{} = 0", written.trim_matches('`'))).collect();
     let mut diagnostic = Diagnostic::error("missing-initial-value", message, unknown.span)

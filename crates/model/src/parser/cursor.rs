@@ -115,8 +115,7 @@ impl<'a> Cursor<'a> {
 
     /// Error for a missing opening brace. At the end of a line its place is `before`.
     pub(super) fn brace_expected(&self, code: &'static str, before: Span) -> Diagnostic {
-        let wrong =
-            words!("`{{` is expected here, not {found}", "aquí se espera `{{`, no {found}", found = self.found());
+        let wrong = words!("`{{` is expected here, not {found}", found = self.found());
         Diagnostic::error(code, wrong, if self.at_line_end() { before } else { self.span() })
     }
 
@@ -169,9 +168,9 @@ impl<'a> Cursor<'a> {
     /// Description of the next token.
     pub(super) fn found(&self) -> Words {
         match self.peek() {
-            TokenKind::Newline => words("the end of the line", "el final de la línea"),
-            TokenKind::End => words("the end", "el final"),
-            TokenKind::Text(_) => words("a text", "un texto"),
+            TokenKind::Newline => words("the end of the line"),
+            TokenKind::End => words("the end"),
+            TokenKind::Text(_) => words("a text"),
             _ => Words::same(format!("`{}`", &self.source[self.span().range()])),
         }
     }
@@ -193,15 +192,8 @@ impl<'a> Cursor<'a> {
         };
         let span = self.span();
         let TokenKind::Brackets(inside) = self.peek().clone() else {
-            let wrong = words!(
-                "after `in` a unit in brackets is expected, not {found}",
-                "después de `in` se espera una unidad entre corchetes, no {found}",
-                found = self.found()
-            );
-            let hint = words(
-                "such as in [m/s]; ranges belong to parameters",
-                "por ejemplo, in [m/s]; los intervalos son para los parámetros",
-            );
+            let wrong = words!("after `in` a unit in brackets is expected, not {found}", found = self.found());
+            let hint = words("such as in [m/s]; ranges belong to parameters");
             let at = if self.at_line_end() { keyword } else { span };
             let diagnostic = Diagnostic::error("missing-unit", wrong, at).with_hint(hint);
             return self.fail(match self.bare_unit() {

@@ -99,14 +99,11 @@ impl<'a> Writer<'a> {
     }
 
     fn too_large(&mut self, span: Span) {
-        let message = words(
-            "with its vectors written out in components, this expression is too large",
-            "con sus vectores desarrollados en componentes, esta expresión es demasiado grande",
+        let message = words("with its vectors written out in components, this expression is too large");
+        self.refuse(
+            Diagnostic::error("model-too-large", message, span)
+                .with_hint(words("define parts of it as quantities of their own")),
         );
-        self.refuse(Diagnostic::error("model-too-large", message, span).with_hint(words(
-            "define parts of it as quantities of their own",
-            "define partes de ella como magnitudes propias",
-        )));
     }
 
     /// Expands an expression.

@@ -27,10 +27,7 @@ pub(super) fn write_out(
             written.push(Statement { label, ..Statement::of(kind, statement.span) });
         }
         if written.len() > limits::STATEMENTS {
-            let message = words(
-                "with its vectors written out in components, the model is too large",
-                "con sus vectores desarrollados en componentes, el modelo es demasiado grande",
-            );
+            let message = words("with its vectors written out in components, the model is too large");
             writer.refuse(Diagnostic::error("model-too-large", message, statement.span));
             break;
         }
@@ -208,14 +205,12 @@ impl Writer<'_> {
     fn taken(&mut self, statement: &Statement) {
         let reserved = |name: &Name| Function::reserving(&name.text).is_some() || name.text == "pi";
         let (name, other): (&Name, _) = match &statement.kind {
-            StatementKind::Parameter(parameter) => (&parameter.name, words("a parameter", "un parámetro")),
-            StatementKind::Independent { name, .. } => {
-                (name, words("the independent variable", "la variable independiente"))
-            }
-            StatementKind::Function(function) => (&function.name, words("a function", "una función")),
-            StatementKind::Choice(choice) => (&choice.name, words("a choice", "una lista de opciones")),
+            StatementKind::Parameter(parameter) => (&parameter.name, words("a parameter")),
+            StatementKind::Independent { name, .. } => (name, words("the independent variable")),
+            StatementKind::Function(function) => (&function.name, words("a function")),
+            StatementKind::Choice(choice) => (&choice.name, words("a choice")),
             StatementKind::Event { extras, .. } => match &extras.name {
-                Some(name) => (name, words("an event", "un evento")),
+                Some(name) => (name, words("an event")),
                 None => return,
             },
             StatementKind::Definition { name, .. }
@@ -223,7 +218,7 @@ impl Writer<'_> {
             | StatementKind::Discrete { name, .. }
                 if reserved(name) =>
             {
-                (name, words("reserved", "un nombre reservado"))
+                (name, words("reserved"))
             }
             _ => return,
         };

@@ -101,7 +101,7 @@ proptest! {
     let model = model.map(|checked| checked.model);
         prop_assert_eq!(model.is_none(), has_errors(&diagnostics));
         for diagnostic in &diagnostics {
-            let message = &diagnostic.message.english;
+            let message = &diagnostic.message.english();
             prop_assert!(!message.is_empty() && !message.ends_with('.'), "{message}");
             for label in &diagnostic.labels {
                 prop_assert!(source.get(label.span.range()).is_some(), "{:?}", diagnostic);

@@ -7,15 +7,15 @@ fn told(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
         let place = &source[diagnostic.span().range()];
-        text += &format!("{} `{place}`: {}\n", diagnostic.code, diagnostic.message.english);
+        text += &format!("{} `{place}`: {}\n", diagnostic.code, diagnostic.message.english());
         for label in diagnostic.labels.iter().skip(1) {
-            text += &format!("    | `{}` {}\n", &source[label.span.range()], label.text.english);
+            text += &format!("    | `{}` {}\n", &source[label.span.range()], label.text.english());
         }
         for note in &diagnostic.notes {
-            text += &format!("    : {}\n", note.english);
+            text += &format!("    : {}\n", note.english());
         }
         for hint in &diagnostic.hints {
-            text += &format!("    -> {}\n", hint.english);
+            text += &format!("    -> {}\n", hint.english());
         }
         for fix in &diagnostic.fixes {
             text += &format!("    => {}\n", crate::common::applied(fix, source).replace('\n', "\\n"));

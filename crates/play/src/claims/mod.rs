@@ -58,7 +58,7 @@ impl Claims {
                     written: claim.written.clone(),
                     is_drawn: compared(claim).is_some(),
                     holds: outcome.map(engine::checks::Outcome::held),
-                    outcome: text.map_or_else(String::new, |text| text.text(basis.language()).to_owned()),
+                    outcome: text.map_or_else(String::new, |text| text.text(basis.language()).into_owned()),
                 }
             };
             let claims = check.claims.iter().enumerate().map(claim).collect();

@@ -103,13 +103,10 @@ impl Play {
 
     /// Parts of the state that a link does not contain, in the chosen language.
     pub fn missing_in_link(&self) -> Vec<&'static str> {
-        let pick = |english, spanish| self.basis.language().pick(english, spanish);
+        let language = self.basis.language();
         [
-            (!self.answers.saved(&self.basis).is_empty(), pick("answers", "respuestas")),
-            (
-                self.course().recipe().changes.len() > MOST_CHANGES,
-                pick("the run before the moment shown", "el ensayo anterior al momento mostrado"),
-            ),
+            (!self.answers.saved(&self.basis).is_empty(), language.say("answers")),
+            (self.course().recipe().changes.len() > MOST_CHANGES, language.say("the run before the moment shown")),
         ]
         .into_iter()
         .filter_map(|(missing, name)| missing.then_some(name))

@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn what_is_written_reads_back() {
         let all = Embedding {
-            language: Some(Language::Spanish),
+            language: Some(catalogues::with(Language::Spanish)),
             hidden: vec![PagePart::Plots, PagePart::Text],
             locked: true,
             everything: Some(false),

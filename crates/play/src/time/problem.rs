@@ -26,8 +26,8 @@ impl TimeLine {
         let message = error.message_in(basis.model(), |title| basis.text(title).to_owned());
         Some(Problem {
             code: error.code(),
-            message: sentence(message.text(basis.language()), error.code() == "not-finite"),
-            hint: sentence(error.hint().text(basis.language()), false),
+            message: sentence(&message.text(basis.language()), error.code() == "not-finite"),
+            hint: sentence(&error.hint().text(basis.language()), false),
         })
     }
 
@@ -46,7 +46,7 @@ impl TimeLine {
             Some(Subject::Event(event)) => basis.model().events.get(event)?.title.as_deref(),
             _ => None,
         });
-        let ends = basis.language().pick("The run ends at", "El ensayo termina en");
+        let ends = basis.language().say("The run ends at");
         Some(match title {
             Some(title) => sentence(&format!("{ends} {moment}: {}", basis.text(title)), false),
             None => sentence(&format!("{ends} {moment}"), false),
@@ -58,8 +58,8 @@ impl TimeLine {
         let notice = self.course.notices().into_iter().find(|notice| notice.time <= self.course.front())?;
         Some(Problem {
             code: notice.code(),
-            message: sentence(notice.message(basis.model()).text(basis.language()), false),
-            hint: sentence(notice.hint().text(basis.language()), false),
+            message: sentence(&notice.message(basis.model()).text(basis.language()), false),
+            hint: sentence(&notice.hint().text(basis.language()), false),
         })
     }
 }

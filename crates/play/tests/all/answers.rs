@@ -227,8 +227,7 @@ fn what_cannot_be_hidden_is_reported() {
     ] {
         let source = DOCUMENT.replace("hide: T_0, f_0, E", &format!("hide: {hide}"));
         let opened = document::open(&source, &[]);
-        let found: Vec<String> =
-            opened.diagnostics.iter().map(|(_, found)| found.message.english.to_string()).collect();
+        let found: Vec<String> = opened.diagnostics.iter().map(|(_, found)| found.message.english()).collect();
         assert_eq!(found, [message], "{hide}");
     }
 }

@@ -90,7 +90,7 @@ fn sizes_that_cannot_be_are_refused() {
         ("N", "many", "not a number"),
     ] {
         let refused = resized(&document, &[(name, value)]).unwrap_err();
-        assert!(refused.english.contains(reason), "{name} = {value}: {}", refused.english);
+        assert!(refused.english().contains(reason), "{name} = {value}: {}", refused.english());
     }
     assert_eq!(resized(&document, &[]).unwrap().program.model.sizes, document.program.model.sizes);
 }

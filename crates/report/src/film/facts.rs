@@ -24,15 +24,15 @@ impl FilmFile {
         let plain = |value: f64, digits: usize| plain(value, digits, language.style());
         let mut facts = Vec::new();
         if let Some([width, height]) = self.size {
-            facts.push((language.pick("Picture", "Imagen"), format!("{width} × {height} px")));
+            facts.push((language.say("Picture"), format!("{width} × {height} px")));
         }
         if let (Some(first), Some(last), Some(rate)) = (self.times.first(), self.times.last(), self.rate) {
             let text = format!("{}, {} /s, {} s", self.times.len(), plain(rate, 5), plain(last - first, 4));
-            facts.push((language.pick("Frames", "Fotogramas"), text));
+            facts.push((language.say("Frames"), text));
         }
-        facts.push((language.pick("File", "Archivo"), format!("{} MB", plain(self.bytes as f64 / 1e6, 3))));
+        facts.push((language.say("File"), format!("{} MB", plain(self.bytes as f64 / 1e6, 3))));
         let length = self.calibrated_by.clone();
-        facts.extend(length.map(|length| (language.pick("Calibrated by", "Calibrado con"), length)));
+        facts.extend(length.map(|length| (language.say("Calibrated by"), length)));
         facts.into_iter().map(|(term, value)| (term.to_owned(), value)).collect()
     }
 }

@@ -25,16 +25,16 @@ pub fn film_html(report: &TrackReport<'_>) -> String {
     let (language, film) = (report.language, report.film);
     let mut page = Page::default();
     page.raw("<header>\n");
-    page.element("p class=\"kicker\"", language.pick("Positions tracked in a film", "Posiciones seguidas en un vídeo"));
+    page.element("p class=\"kicker\"", language.say("Positions tracked in a film"));
     page.element("h1", &film.name);
     if !report.date.is_empty() {
         page.element("p class=\"meta\"", report.date);
     }
     page.raw("</header>\n");
-    page.heading(language.pick("The film", "El vídeo"));
+    page.heading(language.say("The film"));
     section::contents(&mut page, film, language);
     if !report.command.is_empty() {
-        page.heading(language.pick("To repeat this", "Para repetirlo"));
+        page.heading(language.say("To repeat this"));
         page.wrapped("pre tabindex=\"0\"", &escaped(report.command));
     }
     footer(&mut page, language, report.version, report.date);

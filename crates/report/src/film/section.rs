@@ -16,7 +16,7 @@ const MARKS: &str = "#648fff";
 /// Adds the sections about the films.
 pub fn films(page: &mut Page, films: &[Film], language: Language) {
     for film in films {
-        page.heading(&[language.pick::<&str>("The film ", "El vídeo "), &film.name].concat());
+        page.heading(&[language.say("The film "), &film.name].concat());
         contents(page, film, language);
     }
 }
@@ -39,20 +39,15 @@ pub fn contents(page: &mut Page, film: &Film, language: Language) {
 fn caption(picture: &FilmPicture, language: Language) -> String {
     let mut text = match picture.view {
         // Frames count from 1 for readers, as on the page.
-        FilmView::Frame(frame) => {
-            [language.pick::<&str>("Frame ", "Fotograma "), &(frame + 1).to_string(), "."].concat()
+        FilmView::Frame(frame) => [language.say("Frame "), &(frame + 1).to_string(), "."].concat(),
+        FilmView::SpaceTime => {
+            language.say("The strip along the tube from every frame, side by side: time to the right.").to_owned()
         }
-        FilmView::SpaceTime => language
-            .pick(
-                "The strip along the tube from every frame, side by side: time to the right.",
-                "La franja a lo largo del tubo de cada fotograma, una junto a otra: el tiempo hacia la derecha.",
-            )
-            .to_owned(),
     };
     let lines = [
-        (&picture.tracked, language.pick("Yellow: what was tracked.", "Amarillo: lo que se siguió.")),
-        (&picture.fitted, language.pick("Red: the fitted curve.", "Rojo: la curva ajustada.")),
-        (&picture.marks, language.pick("Blue: the calibration and its zero.", "Azul: la calibración y su cero.")),
+        (&picture.tracked, language.say("Yellow: what was tracked.")),
+        (&picture.fitted, language.say("Red: the fitted curve.")),
+        (&picture.marks, language.say("Blue: the calibration and its zero.")),
     ];
     for (_, words) in lines.iter().filter(|(lines, _)| !lines.is_empty()) {
         text.extend([" ", words]);

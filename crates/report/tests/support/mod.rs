@@ -78,7 +78,7 @@ impl Fitted {
         Report {
             document: &self.document,
             document_name: &self.name,
-            language: units::Language::of(language),
+            language: catalogues::with(units::Language::of(language)),
             task: &self.task,
             outcome: &self.outcome,
             traces: &self.traces,

@@ -4,7 +4,8 @@ use crate::app::{App, title};
 use crate::page::theme::Theme;
 use crate::views::*;
 use crate::{browser, page::keys, pieces::icons};
-use units::Language;
+use units::number::fixed;
+use units::{Catalogue, Language};
 use wasm_bindgen::JsCast;
 use web_sys::{FocusEvent, HtmlElement, KeyboardEvent, Node};
 
@@ -68,7 +69,8 @@ fn menu(app: App, first: View) -> HtmlDiv {
         .child(first)
         .child(keys)
         .child(theme(app))
-        .child(languages(app));
+        .child(languages(app))
+        .maybe(untranslated(app));
     place.when(events::focusout, left).when(events::keydown, escape).child(more).child(entries)
 }
 
@@ -108,13 +110,23 @@ fn languages(app: App) -> HtmlDiv {
             .attr("aria-label", format!("{} – {}", language.tag().to_ascii_uppercase(), language.name()))
             .attr("aria-pressed", move || (app.language.get() == language).to_string())
             .when(events::click, move |_| {
-                app.set_language(language);
-                // The page and the button have been rebuilt.
-                browser::focus_later("menu".to_owned());
+                // The page and the button are rebuilt.
+                app.set_language(language, || browser::focus_later("menu".to_owned()));
             })
             .child(language.tag().to_ascii_uppercase())
     };
     div().class("segments").role("group").attr("aria-label", words.language).each(Language::ALL, choose)
+}
+
+/// What is not in the chosen language: a part of the interface, or the document.
+fn untranslated(app: App) -> Option<HtmlP> {
+    let language = app.language.get_untracked();
+    let (words, share) = (app.words(), Catalogue::share(language));
+    let interface = (share < 1.0).then(|| words.translated.replace('#', &fixed(100.0 * share, 0, language.style())));
+    let is_left = app.read(|play| !play.program().is_in(language.tag()));
+    let document = is_left.then(|| words.document_untranslated.to_owned());
+    let lines: Vec<String> = interface.into_iter().chain(document).collect();
+    (!lines.is_empty()).then(|| p().class("note").child(lines.join(" ")))
 }
 
 fn theme(app: App) -> HtmlButton {

@@ -9,5 +9,6 @@ pub mod messages;
 pub mod opening;
 pub mod projector;
 pub mod shell;
+pub mod texts;
 pub mod theme;
 pub mod welcome;

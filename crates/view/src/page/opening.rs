@@ -43,10 +43,24 @@ impl Opening {
         }
     }
 
-    /// Sets the function that hands over the simulation and ends the player.
-    pub fn offer(&self, give: impl FnOnce() -> Handed + 'static) {
-        let give = move || Uint8Array::from(postcard::to_allocvec(&give()).unwrap_or_default().as_slice());
-        let _ = Reflect::set(&self.0, &"give".into(), &Closure::once_into_js(give));
+    /// Sets the function that hands over the simulation and ends the player; `None` if the page shows none.
+    pub fn offer(&self, give: Option<impl FnOnce() -> Handed + 'static>) {
+        let packed = |handed: Handed| Uint8Array::from(postcard::to_allocvec(&handed).unwrap_or_default().as_slice());
+        let give = give.map_or(JsValue::UNDEFINED, |give| Closure::once_into_js(move || packed(give())));
+        if let Ok(offer) = self.field("offer").dyn_into::<Function>() {
+            let _ = offer.call1(&self.0, &give);
+        }
+    }
+
+    /// True if the player shows a simulation that the laboratory can take.
+    pub fn is_offered(&self) -> bool {
+        self.field("give").is_function()
+    }
+
+    /// The language in which the player shows its simulation.
+    pub fn language(&self) -> Language {
+        let root = document().document_element();
+        Language::of(&root.and_then(|root| root.get_attribute("lang")).unwrap_or_default())
     }
 
     /// Takes the simulation from the player; `None` if no player shows one.
@@ -57,10 +71,10 @@ impl Opening {
         Some(Handed { pressed: self.field("pressed").as_string().unwrap_or_default(), ..handed })
     }
 
-    /// Text of the module of the player, as it stands in a page.
-    pub fn module(&self) -> Option<Promise> {
-        let module: Function = self.field("module").dyn_into().ok()?;
-        module.call0(&self.0).ok()?.dyn_into().ok()
+    /// Text of a part of the player, as it stands in a page: its module, or the texts of a language.
+    pub fn part(&self, id: &str) -> Option<Promise> {
+        let part: Function = self.field("part").dyn_into().ok()?;
+        part.call1(&self.0, &id.into()).ok()?.dyn_into().ok()
     }
 
     fn field(&self, name: &str) -> JsValue {

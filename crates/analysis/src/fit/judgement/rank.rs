@@ -52,22 +52,18 @@ pub fn ties(
 ) -> Vec<(usize, String)> {
     let sentence = |tied: &[Ranked]| {
         let quote = |one: &Ranked| {
-            let [open, close] = language.pick(["“", "”"], ["«", "»"]);
+            let [open, close] = language.say_all(["“", "”"]);
             [open, &title(one.index), close].concat()
         };
         let names = language.join(&tied.iter().map(quote).collect::<Vec<_>>());
         let mut counts = tied.iter().filter_map(|one| Some(outcomes.get(one.index)?.parameters.len()));
         let first = counts.next();
         let simpler = if counts.any(|count| Some(count) != first) {
-            language
-                .pick(" The one with the fewest parameters stands first.", " La que tiene menos parámetros va primero.")
+            language.say(" The one with the fewest parameters stands first.")
         } else {
             ""
         };
-        let same = language.pick(
-            " give the same curve: the data cannot tell them apart, and they share a place.",
-            " dan la misma curva: los datos no las distinguen, y comparten el puesto.",
-        );
+        let same = language.say(" give the same curve: the data cannot tell them apart, and they share a place.");
         [&names, same, simpler].concat()
     };
     let tied = ranked.chunk_by(|one, other| one.place == other.place).filter(|tied| tied.len() > 1);

@@ -77,12 +77,9 @@ impl Curve {
             .collect();
         varied.dedup();
         let states = model.states.len();
-        let mut extended = bare(model).with_sensitivities(&varied).ok_or_else(|| {
-            words(
-                "the model is too large to be differentiated by what is varied",
-                "el modelo es demasiado grande para derivarlo respecto de lo que varía",
-            )
-        })?;
+        let mut extended = bare(model)
+            .with_sensitivities(&varied)
+            .ok_or_else(|| words("the model is too large to be differentiated by what is varied"))?;
         let by_parameter: Vec<Vec<NodeId>> = varied
             .iter()
             .enumerate()

@@ -45,14 +45,11 @@ impl Loss {
     }
 
     /// Name shown to users.
-    pub const fn name(self, language: Language) -> &'static str {
-        match (self, language) {
-            (Self::Squares, Language::English) => "least squares",
-            (Self::Squares, Language::Spanish) => "mínimos cuadrados",
-            (Self::Huber, Language::English) => "Huber's loss",
-            (Self::Huber, Language::Spanish) => "pérdida de Huber",
-            (Self::Tukey, Language::English) => "Tukey's loss",
-            (Self::Tukey, Language::Spanish) => "pérdida de Tukey",
+    pub fn name(self, language: Language) -> &'static str {
+        match self {
+            Self::Squares => language.say("least squares"),
+            Self::Huber => language.say("Huber's loss"),
+            Self::Tukey => language.say("Tukey's loss"),
         }
     }
 

@@ -61,7 +61,6 @@ impl Problem {
         if model.is_random() {
             return Err(FitError::Model(words(
                 "a model that draws at random is not fitted: each seed gives another curve",
-                "un modelo que sortea al azar no se ajusta: cada semilla da otra curva",
             )));
         }
         let columns = columns::of(&task);

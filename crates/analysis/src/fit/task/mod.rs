@@ -174,7 +174,7 @@ impl std::fmt::Display for FitError {
             }
             Self::RecordEmpty(_) => f.write_str("a record has no measured value in the fitted part"),
             Self::TooLarge => f.write_str("there are too many values or too many varied numbers"),
-            Self::Model(message) => f.write_str(&message.english),
+            Self::Model(message) => f.write_str(&message.english()),
         }
     }
 }

@@ -5,8 +5,8 @@ use crate::fit::autoregression::{orthonormal, subtract_projection};
 use crate::fit::linear::norm;
 use crate::fit::search::Search;
 use serde::{Deserialize, Serialize};
-use units::Language;
 use units::order::sort;
+use units::{Language, say};
 
 /// Reason why numbers are not determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -183,36 +183,21 @@ impl Undetermined {
         let names = language.join(&self.names);
         let combinations = language.join(&self.combinations);
         let known = !combinations.is_empty();
-        match (self.lack, self.names.len(), language) {
-            (Lack::Exchange, _, Language::English) => format!(
+        match (self.lack, self.names.len()) {
+            (Lack::Exchange, _) => say!(
+                language,
                 "The curve is the same if {names} exchange their values and the others follow: the data cannot tell which is which."
             ),
-            (Lack::Exchange, _, Language::Spanish) => format!(
-                "La curva es la misma si {names} intercambian sus valores y los demás los siguen: los datos no distinguen cuál es cuál."
+            (Lack::Weak, _) => say!(
+                language,
+                "The data determine {combinations} well, but hardly {names} each by itself; fix one of them."
             ),
-            (Lack::Weak, _, Language::English) => {
-                format!("The data determine {combinations} well, but hardly {names} each by itself; fix one of them.")
+            (Lack::Flat, 1) => say!(language, "The data do not determine {names}: the curve does not change with it."),
+            (Lack::Flat, _) if known => {
+                say!(language, "The data determine only {combinations}, not {names} each by itself; fix one of them.")
             }
-            (Lack::Weak, _, Language::Spanish) => format!(
-                "Los datos determinan bien {combinations}, pero apenas {names} por separado; fija uno de ellos."
-            ),
-            (Lack::Flat, 1, Language::English) => {
-                format!("The data do not determine {names}: the curve does not change with it.")
-            }
-            (Lack::Flat, 1, Language::Spanish) => {
-                format!("Los datos no determinan {names}: la curva no cambia con ese parámetro.")
-            }
-            (Lack::Flat, _, Language::English) if known => {
-                format!("The data determine only {combinations}, not {names} each by itself; fix one of them.")
-            }
-            (Lack::Flat, _, Language::Spanish) if known => {
-                format!("Los datos solo determinan {combinations}, no {names} por separado; fija uno de ellos.")
-            }
-            (Lack::Flat, _, Language::English) => {
-                format!("The data determine only combinations of {names}, not each by itself; fix some of them.")
-            }
-            (Lack::Flat, _, Language::Spanish) => {
-                format!("Los datos solo determinan combinaciones de {names}, no cada uno por separado; fija alguno.")
+            (Lack::Flat, _) => {
+                say!(language, "The data determine only combinations of {names}, not each by itself; fix some of them.")
             }
         }
     }

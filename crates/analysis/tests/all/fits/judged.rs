@@ -277,7 +277,7 @@ fn neighbours_of_opposite_signs_are_not_random() {
         let values = noisy(&times, &mut noise, -0.5, |time| 2.0 - 0.3 * time);
         let outcome = fit(&model, &["a", "s"], &times, &values);
         assert_eq!(outcome.verdict(), Verdict::Alternating, "{}", outcome.durbin_watson);
-        assert!(outcome.verdict_text(Language::Spanish).contains("el mayor de los dos errores"));
+        assert!(outcome.verdict_text(catalogues::with(Language::Spanish)).contains("el mayor de los dos errores"));
     }
     // Many parameters for few values make neighbouring residuals negatively correlated.
     let swing_model = self::model(DAMPED_COSINE);

@@ -91,7 +91,7 @@ fn a_tie_is_said() {
         "“line” and “bent” give the same curve: the data cannot tell them apart, and they share a place. The one with the fewest \
          parameters stands first."
     );
-    assert!(said(Language::Spanish).starts_with("«line» y «bent» dan la misma curva"));
+    assert!(said(catalogues::with(Language::Spanish)).starts_with("«line» y «bent» dan la misma curva"));
 }
 
 /// Number of records of fifty in which the true theory gets less than 0.05 of the weight among all theories.

@@ -51,7 +51,7 @@ fn as_many_values_as_numbers_are_no_test() {
             fit(line, "y", &["a", "s", "q"], &data(count, 3.0, 0.1, |t| 1.0 + libm::sin(t)), Method::DormandPrince);
         assert_eq!(outcome.verdict(), verdict);
         assert_eq!(outcome.verdict_text(Language::English).contains("no test of the model"), count == 3);
-        assert_eq!(outcome.verdict_text(Language::Spanish).contains("no pone a prueba"), count == 3);
+        assert_eq!(outcome.verdict_text(catalogues::with(Language::Spanish)).contains("no pone a prueba"), count == 3);
     }
 }
 
@@ -78,7 +78,7 @@ fn a_combination_that_is_determined_much_better_is_named() {
     let found = of_lack(&outcome, Lack::Weak);
     assert_eq!(found.len(), 1, "{:?}", outcome.parameters);
     assert_eq!(found[0].combinations, ["a/K"]);
-    assert!(found[0].text(Language::Spanish).contains("a/K"));
+    assert!(found[0].text(catalogues::with(Language::Spanish)).contains("a/K"));
     // With values up to the half, both parameters are determined.
     let outcome = fit(text, "y", &["a", "K"], &data(60, 30.0, 0.06, |t| 10.0 * t / (20.0 + t)), Method::DormandPrince);
     assert_eq!(outcome.undetermined, []);

@@ -66,7 +66,7 @@ pub fn judge(variant: &Variant) -> (Outcome, String) {
         Err(error) => return (Outcome::Refused, error.message(Language::English)),
     };
     let said: Vec<String> = import.findings.iter().map(|finding| finding.text(Language::English)).collect();
-    let spanish = import.findings.iter().all(|finding| !finding.text(Language::Spanish).is_empty());
+    let spanish = import.findings.iter().all(|finding| !finding.text(catalogues::with(Language::Spanish)).is_empty());
     assert!(spanish, "{}", variant.kind);
     let mut outcome = Outcome::Right;
     let mut text = shown(&import);

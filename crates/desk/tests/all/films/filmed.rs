@@ -181,7 +181,7 @@ fn what_no_camera_can_film_is_refused_in_both_languages() {
         CameraSettings { noise: 1e3, ..usual },
     ] {
         let words = wrong.check().unwrap_err();
-        assert!(words.text(Language::English) != words.text(Language::Spanish));
+        assert!(words.text(Language::English) != words.text(catalogues::with(Language::Spanish)));
         assert!(desk.film_recipe(wrong).is_err(), "{wrong:?}");
     }
     // Another version of the document is another simulation.

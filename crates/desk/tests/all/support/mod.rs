@@ -10,6 +10,7 @@ pub const UTUBE_ES: &str = include_str!("../../../../play/tests/all/support/utub
 
 /// Opens a document and asserts that it has no findings.
 pub fn open(source: &str, translations: &[&str]) -> Desk {
+    catalogues::install();
     let opened = desk::document::open(source, translations);
     assert!(opened.diagnostics.is_empty(), "{:#?}", opened.diagnostics);
     Desk::open(opened.document.expect("a document without faults opens"))

@@ -76,11 +76,11 @@ pub(super) fn line(
 pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Option<Drawn> {
     let written = written(expressions, range)?;
     if let Some(place) = written.at_end {
-        let message = words("points are drawn of the whole run", "los puntos se dibujan de todo el ensayo");
-        expressions.diagnostics.push(Diagnostic::error("sweep", message, place).with_hint(words(
-            "leave out `at end`, or leave out `points` for one value of each run",
-            "quita `at end`, o quita `points` para un solo valor de cada ensayo",
-        )));
+        let message = words("points are drawn of the whole run");
+        expressions.diagnostics.push(
+            Diagnostic::error("sweep", message, place)
+                .with_hint(words("leave out `at end`, or leave out `points` for one value of each run")),
+        );
         return None;
     }
     let (value, unit) = read(expressions, &written)?;
@@ -127,11 +127,11 @@ fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression,
         return None;
     }
     if let (Some(first), Some(second)) = (&unit, &written.unit) {
-        let message = words("the unit is stated twice", "la unidad se indica dos veces");
+        let message = words("the unit is stated twice");
         expressions.diagnostics.push(
             Diagnostic::error("sweep", message, second.span)
-                .with_label(first.span, words("it is stated here", "se indica aquí"))
-                .with_hint(words("leave one of them out", "quita una de las dos")),
+                .with_label(first.span, words("it is stated here"))
+                .with_hint(words("leave one of them out")),
         );
         return None;
     }
@@ -143,11 +143,10 @@ fn stated(expressions: &mut Expressions, range: Range<usize>) -> Option<StatedUn
     let text = &expressions.source[range.clone()];
     let span = Span::new(range.start, range.end);
     let Some(inner) = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')) else {
-        let message = words("a unit in brackets must follow `in`", "tras `in` debe ir una unidad entre corchetes");
-        expressions.diagnostics.push(
-            Diagnostic::error("sweep", message, span)
-                .with_hint(words("write it as in `in [cm]`", "escríbela como en `in [cm]`")),
-        );
+        let message = words("a unit in brackets must follow `in`");
+        expressions
+            .diagnostics
+            .push(Diagnostic::error("sweep", message, span).with_hint(words("write it as in `in [cm]`")));
         return None;
     };
     match Unit::parse(inner) {
@@ -182,12 +181,10 @@ fn nothing_taken(expressions: &mut Expressions, place: Span, written: &Written) 
     let body = &source[written.body.clone()];
     let message = words!(
         "`{}` says from when on a run counts, but of these runs only single values are drawn",
-        "`{}` dice desde cuándo cuenta un ensayo, pero de estos ensayos solo se dibujan valores sueltos",
         &source[place.range()]
     );
     expressions.diagnostics.push(Diagnostic::error("sweep", message, place).with_hint(words!(
-        "say what is taken of each run, as in `maximum({body})` or `mean({body})`, or leave the time out",
-        "di qué se toma de cada ensayo, como en `maximum({body})` o `mean({body})`, o quita el tiempo"
+        "say what is taken of each run, as in `maximum({body})` or `mean({body})`, or leave the time out"
     )));
 }
 
@@ -199,24 +196,16 @@ fn refuse_varying(expressions: &mut Expressions, curve: &Placed, takes: bool) {
     let culprit = dependence.states.first().and_then(|number| states.get(*number as usize));
     let culprit = culprit.map_or_else(|| expressions.model().independent.name.clone(), program::State::name);
     let diagnostic = if takes {
-        let message = words!(
-            "what `{name}` does not take of the whole run changes during the run",
-            "lo que `{name}` no toma de todo el ensayo cambia durante la simulación"
-        );
+        let message = words!("what `{name}` does not take of the whole run changes during the run");
         Diagnostic::error("sweep", message, curve.span)
-            .saying(words!("depends on {}", "depende de {}", format!("`{culprit}`")))
+            .saying(words!("depends on {}", format!("`{culprit}`")))
             .with_hint(words!(
-                "for the value at the end of each run write `{name} at end`; else put `maximum`, `minimum`, `mean` or `integral` around what changes",
-                "para el valor al final de cada ensayo escribe `{name} at end`; si no, rodea lo que cambia con `maximum`, `minimum`, `mean` o `integral`"
+                "for the value at the end of each run write `{name} at end`; else put `maximum`, `minimum`, `mean` or `integral` around what changes"
             ))
     } else {
-        let message = words!(
-            "`{name}` changes during a run: it has no value of its own for each value of a parameter",
-            "`{name}` cambia durante la simulación: no tiene un valor propio para cada valor de un parámetro"
-        );
+        let message = words!("`{name}` changes during a run: it has no value of its own for each value of a parameter");
         Diagnostic::error("sweep", message, curve.span).with_hint(words!(
-            "say what is taken of each run: `maximum({name})`, `minimum({name})`, `mean({name})` or `{name} at end`",
-            "di qué se toma de cada ensayo: `maximum({name})`, `minimum({name})`, `mean({name})` o `{name} at end`"
+            "say what is taken of each run: `maximum({name})`, `minimum({name})`, `mean({name})` or `{name} at end`"
         ))
     };
     expressions.diagnostics.push(diagnostic);

@@ -57,11 +57,7 @@ pub fn read(
     let (name, _, found) = model::parse_expression(source, swept.name.clone());
     let ExpressionKind::Name { name, order: 0 } = name.kind else {
         expressions.diagnostics.extend(found);
-        let message = words!(
-            "`{}` is not the name of a parameter",
-            "`{}` no es el nombre de un parámetro",
-            &source[swept.name.clone()]
-        );
+        let message = words!("`{}` is not the name of a parameter", &source[swept.name.clone()]);
         expressions.error("sweep", message, span(&swept.name));
         return None;
     };
@@ -69,14 +65,9 @@ pub fn read(
     let choices = expressions.model().parameters.get(parameter).map(|parameter| &parameter.choices);
     let is_seed = choices == Some(&Choices::Seed);
     if !is_seed && choices != Some(&Choices::Numbers) {
-        let message = words!(
-            "`{name}` has no range of values: it is a switch or a choice",
-            "`{name}` no tiene un intervalo de valores: es un interruptor o una elección"
-        );
+        let message = words!("`{name}` has no range of values: it is a switch or a choice");
         let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
-        expressions.diagnostics.push(
-            diagnostic.with_hint(words("sweep a parameter that is a number", "recorre un parámetro que sea un número")),
-        );
+        expressions.diagnostics.push(diagnostic.with_hint(words("sweep a parameter that is a number")));
         return None;
     }
     let abscissa = curves::read(expressions, swept.name.clone())?;
@@ -96,21 +87,16 @@ pub fn read(
     let part = (limits.high - limits.low) / if runs { RUNS } else { VALUES };
     let step = limits.step.unwrap_or(if is_seed { 1.0 } else { part });
     if is_seed && [limits.low, step].iter().any(|number| number.fract() != 0.0) {
-        let message = words("a seed is a whole number", "una semilla es un número entero");
+        let message = words("a seed is a whole number");
         expressions.diagnostics.push(
-            Diagnostic::error("sweep", message, span(&swept.range))
-                .with_hint(words("write `seed in 1..60 step 1`", "escribe `seed in 1..60 step 1`")),
+            Diagnostic::error("sweep", message, span(&swept.range)).with_hint(words("write `seed in 1..60 step 1`")),
         );
         return None;
     }
     let at = if let Kind::Points(at) = kind { at } else { None };
     let mut sweep = Sweep { parameter, low: limits.low, high: limits.high, step, taken, aggregates, until: 0.0, at };
     if sweep.count() > Sweep::MOST {
-        let message = words!(
-            "a curve cannot have more than {} values",
-            "una curva no puede tener más de {} valores",
-            Sweep::MOST
-        );
+        let message = words!("a curve cannot have more than {} values", Sweep::MOST);
         expressions.error("too-large", message, span(&swept.range));
         return None;
     }
@@ -124,27 +110,13 @@ pub fn read(
 fn end(expressions: &mut Expressions, first: f64, until: Option<f64>, span: Span) -> Option<f64> {
     let Some(until) = until else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "sweep",
-                words("it is not said how long these runs are", "no se dice cuánto duran estos ensayos"),
-                span,
-            )
-            .with_hint(words(
-                "write the end of a run into the front matter, such as `until: 100 [s]`",
-                "escribe el final de un ensayo en la cabecera, por ejemplo `until: 100 [s]`",
-            )),
+            Diagnostic::error("sweep", words("it is not said how long these runs are"), span)
+                .with_hint(words("write the end of a run into the front matter, such as `until: 100 [s]`")),
         );
         return None;
     };
     if first >= until {
-        expressions.error(
-            "sweep",
-            words(
-                "the runs end before the time from which they count",
-                "los ensayos terminan antes del tiempo desde el que cuentan",
-            ),
-            span,
-        );
+        expressions.error("sweep", words("the runs end before the time from which they count"), span);
         return None;
     }
     Some(until)

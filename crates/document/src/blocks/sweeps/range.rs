@@ -47,14 +47,12 @@ pub(super) fn moment(expressions: &mut Expressions, range: Range<usize>) -> Opti
     let bracket = text.find('[');
     let value = positive(&text[..bracket.unwrap_or(text.len())], &unit);
     let Some(value) = value else {
-        let message = words(
-            "the time from which a run counts must be a number, 0 or greater",
-            "el tiempo desde el que cuenta un ensayo debe ser un número, 0 o mayor",
-        );
+        let message = words("the time from which a run counts must be a number, 0 or greater");
         let stated = if unit.text.is_empty() { String::new() } else { format!(" [{unit}]") };
-        expressions.diagnostics.push(Diagnostic::error("sweep", message, Span::new(range.start, range.end)).with_hint(
-            words!("write it out, as in `from 60{stated}`", "escríbelo con cifras, como en `from 60{stated}`"),
-        ));
+        expressions.diagnostics.push(
+            Diagnostic::error("sweep", message, Span::new(range.start, range.end))
+                .with_hint(words!("write it out, as in `from 60{stated}`")),
+        );
         return None;
     };
     match bracket {
@@ -93,16 +91,12 @@ fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
     match Unit::parse(inner) {
         Ok(found) if found.dimension == unit.dimension => Some(found),
         Ok(found) => {
-            let message = words("this unit has the wrong dimension", "esta unidad tiene una dimensión incorrecta");
+            let message = words("this unit has the wrong dimension");
             let place = Span::new(range.start, range.end);
             let mut diagnostic = dimension_error(message, (place, found.dimension), (place, unit.dimension));
             // Both labels would be at the same place.
             let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-            expressions.diagnostics.push(diagnostic.with_note(words!(
-                "it must be {expected}",
-                "debe ser {expected}",
-                expected = expected
-            )));
+            expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
             None
         }
         Err(error) => {
@@ -118,14 +112,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
 
 fn malformed(expressions: &mut Expressions, range: &Range<usize>) {
     expressions.diagnostics.push(
-        Diagnostic::error(
-            "sweep",
-            words("this is no range of values", "esto no es un intervalo de valores"),
-            Span::new(range.start, range.end),
-        )
-        .with_hint(words(
-            "write numbers, the smaller one first: `omega in 1..12 [rad/s] step 0.1`",
-            "escribe números, primero el menor: `omega in 1..12 [rad/s] step 0.1`",
-        )),
+        Diagnostic::error("sweep", words("this is no range of values"), Span::new(range.start, range.end))
+            .with_hint(words("write numbers, the smaller one first: `omega in 1..12 [rad/s] step 0.1`")),
     );
 }

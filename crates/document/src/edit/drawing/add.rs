@@ -26,7 +26,7 @@ const PLACING: [&str; 11] = ["at", "from", "to", "x", "y", "x1", "y1", "cx", "cy
 /// [`EditError::NoDrawing`], [`EditError::TooLong`].
 pub fn add_element(
     outline: &Outline,
-    kind: Part,
+    kind: &Part,
     (at, length): ([f64; 2], f64),
     measure: &Measure,
     language: Language,
@@ -122,7 +122,7 @@ fn written_beside(drawing: &Drawing, source: &str, written: impl Fn(u32) -> Stri
 }
 
 /// Text of a new element.
-fn written(kind: Part, [x, y]: [f64; 2], length: f64, measure: &Measure, framed: bool, language: Language) -> String {
+fn written(kind: &Part, [x, y]: [f64; 2], length: f64, measure: &Measure, framed: bool, language: Language) -> String {
     let name = kind.name;
     let point = |right: f64, up: f64| {
         let up = if framed { up } else { -up };
@@ -178,7 +178,7 @@ fn written(kind: Part, [x, y]: [f64; 2], length: f64, measure: &Measure, framed:
         _ => between,
     };
     if shows_text(kind) {
-        let text = language.pick("Text", "Texto");
+        let text = language.say("Text");
         return format!("<{name} {attributes}>{text}</{name}>");
     }
     format!("<{name} {attributes}/>")

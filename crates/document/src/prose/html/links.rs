@@ -19,15 +19,10 @@ impl Writer<'_> {
             self.open(&format!("<a href=\"{href}\" target=\"_blank\" rel=\"noopener noreferrer\">"), "</a>");
         } else {
             self.diagnostics.push(
-                Diagnostic::error(
-                    "link",
-                    words!("a link cannot lead to `{}`", "un enlace no puede llevar a `{}`", shortened(destination)),
-                    span,
-                )
-                .with_hint(words(
-                    "links lead to http:, https: or mailto: addresses or to a heading (`#activities`)",
-                    "los enlaces llevan a direcciones http:, https: o mailto:, o a un título (`#activities`)",
-                )),
+                Diagnostic::error("link", words!("a link cannot lead to `{}`", shortened(destination)), span)
+                    .with_hint(words(
+                        "links lead to http:, https: or mailto: addresses or to a heading (`#activities`)",
+                    )),
             );
             self.open("", "");
         }
@@ -41,15 +36,8 @@ impl Writer<'_> {
             (format!("<img src=\"{}\" alt=\"", escaped(source)), "\">")
         } else {
             self.diagnostics.push(
-                Diagnostic::error(
-                    "image",
-                    words!("an image cannot come from `{}`", "una imagen no puede venir de `{}`", shortened(source)),
-                    span,
-                )
-                .with_hint(words(
-                    "the page makes no requests: embed it, `data:image/png;base64,...`",
-                    "la página no hace peticiones: incrústala, `data:image/png;base64,...`",
-                )),
+                Diagnostic::error("image", words!("an image cannot come from `{}`", shortened(source)), span)
+                    .with_hint(words("the page makes no requests: embed it, `data:image/png;base64,...`")),
             );
             ("<span class=\"problem\">".to_owned(), "</span>")
         };

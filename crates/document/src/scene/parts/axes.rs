@@ -41,12 +41,9 @@ impl Builder<'_, '_> {
         let fits = |step: &f64| *step > 0.0 && few(x, *step) && few(y, *step);
         let Some((step, (size, unit))) = step.filter(fits).zip(written) else {
             self.refuse_at(
-                words!("each axis has {MARKS} marks at most", "cada eje tiene {MARKS} marcas como máximo"),
+                words!("each axis has {MARKS} marks at most"),
                 span,
-                Some(words(
-                    "give their distance as a number with a unit: `step=\"10 [cm]\"`",
-                    "da su distancia como un número con su unidad: `step=\"10 [cm]\"`",
-                )),
+                Some(words("give their distance as a number with a unit: `step=\"10 [cm]\"`")),
             );
             return None;
         };

@@ -97,15 +97,9 @@ impl Builder<'_, '_> {
         let is_base64 = |data: &str| data.bytes().all(|c| c.is_ascii_alphanumeric() || matches!(c, b'+' | b'/' | b'='));
         if !PICTURES.iter().any(|start| text.strip_prefix(start).is_some_and(is_base64)) {
             self.refuse(
-                words(
-                    "a picture of a scene must stand in the document itself",
-                    "una imagen de una escena debe estar en el propio documento",
-                ),
+                words("a picture of a scene must stand in the document itself"),
                 address.start..address.end.min(address.start + 40),
-                Some(words(
-                    "write `href=\"data:image/png;base64,...\"`; png, jpeg, gif and webp are known",
-                    "escribe `href=\"data:image/png;base64,...\"`; se conocen png, jpeg, gif y webp",
-                )),
+                Some(words("write `href=\"data:image/png;base64,...\"`; png, jpeg, gif and webp are known")),
             );
             return None;
         }

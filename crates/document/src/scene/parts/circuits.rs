@@ -53,9 +53,9 @@ impl Builder<'_, '_> {
                 let condition = self.expressions.compile(inner)?;
                 if condition.value.kind != Kind::Truth {
                     self.refuse_at(
-                        words("`closed` needs a condition", "`closed` necesita una condición"),
+                        words("`closed` needs a condition"),
                         condition.span,
-                        Some(words("such as `closed=\"t > 1 [s]\"`", "por ejemplo `closed=\"t > 1 [s]\"`")),
+                        Some(words("such as `closed=\"t > 1 [s]\"`")),
                     );
                     return None;
                 }

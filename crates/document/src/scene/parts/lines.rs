@@ -149,14 +149,7 @@ impl Builder<'_, '_> {
             .filter(|value| placed.value.dimension().is_none() && *value == value.floor());
         let value = value.filter(|value| (1.0..=greatest).contains(value));
         if value.is_none() {
-            self.refuse_at(
-                words!(
-                    "this must be a whole number from 1 to {greatest}",
-                    "esto debe ser un número entero de 1 a {greatest}"
-                ),
-                placed.span,
-                None,
-            );
+            self.refuse_at(words!("this must be a whole number from 1 to {greatest}"), placed.span, None);
         }
         value.map(|value| value as u32)
     }

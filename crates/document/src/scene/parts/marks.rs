@@ -53,15 +53,9 @@ impl Builder<'_, '_> {
         let count = count.map(|(step, whole)| (whole / step + 1e-9).floor());
         let Some(((size, unit), count)) = written.zip(count.filter(|count| (1.0..=MARKS).contains(count))) else {
             self.refuse_at(
-                words!(
-                    "a ruler has from 1 to {MARKS} marks, and their number never changes",
-                    "una regla tiene de 1 a {MARKS} marcas, y su número no cambia nunca"
-                ),
+                words!("a ruler has from 1 to {MARKS} marks, and their number never changes"),
                 span,
-                Some(words(
-                    "give its ends and its step as numbers with units: `step=\"10 [cm]\"`",
-                    "da sus extremos y su paso como números con unidades: `step=\"10 [cm]\"`",
-                )),
+                Some(words("give its ends and its step as numbers with units: `step=\"10 [cm]\"`")),
             );
             return None;
         };
@@ -115,12 +109,9 @@ impl Builder<'_, '_> {
         let steps = graph.as_constant(steps).filter(|steps| steps.is_finite());
         if steps.is_none() {
             self.refuse_at(
-                words("the numbers of a ruler never change", "los números de una regla no cambian nunca"),
+                words("the numbers of a ruler never change"),
                 span,
-                Some(words(
-                    "write a number with a unit: `first=\"-2 [m]\"`",
-                    "escribe un número con su unidad: `first=\"-2 [m]\"`",
-                )),
+                Some(words("write a number with a unit: `first=\"-2 [m]\"`")),
             );
         }
         steps

@@ -20,66 +20,54 @@ use units::{Words, words};
 pub type Given = BTreeMap<String, Range<usize>>;
 
 /// A part of a drawing, or another element for editors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
     /// Name of its element.
     pub name: &'static str,
-    /// Default title in English and Spanish, for screen readers and tooltips.
-    pub words: (&'static str, &'static str),
+    /// Default title, for screen readers and tooltips.
+    pub title: Words,
     /// Its own attributes, required ones first.
     pub attributes: &'static [&'static str],
     /// Number of required attributes.
     pub needed: usize,
 }
 
-impl Part {
-    /// Default title.
-    pub fn title(self) -> Words {
-        words(self.words.0, self.words.1)
-    }
-}
-
 /// Constructor of a part.
-pub(crate) const fn part(
-    name: &'static str,
-    words: (&'static str, &'static str),
-    needed: usize,
-    attributes: &'static [&'static str],
-) -> Part {
-    Part { name, words, attributes, needed }
+pub(crate) const fn part(name: &'static str, title: Words, needed: usize, attributes: &'static [&'static str]) -> Part {
+    Part { name, title, attributes, needed }
 }
 
 /// All parts.
-pub const PARTS: [Part; 24] = [
-    part("spring", ("Spring", "Muelle"), 2, &["from", "to", "turns", "width"]),
-    part("damper", ("Damper", "Amortiguador"), 2, &["from", "to", "width", "length"]),
-    part("rod", ("Rod", "Varilla"), 2, &["from", "to"]),
-    part("ground", ("Ground", "Suelo"), 2, &["from", "to", "depth"]),
-    part("arrow", ("Arrow", "Flecha"), 2, &["at", "vector"]),
-    part("block", ("Block", "Bloque"), 2, &["at", "size", "turn"]),
-    part("bob", ("Bob", "Lenteja"), 1, &["at", "r"]),
-    part("wheel", ("Wheel", "Rueda"), 2, &["at", "r", "turn"]),
-    part("pulley", ("Pulley", "Polea"), 2, &["at", "r", "turn"]),
-    part("ramp", ("Ramp", "Plano inclinado"), 2, &["from", "to"]),
-    part("label", ("Label", "Rótulo"), 1, &["at"]),
-    part("ruler", ("Ruler", "Regla"), 3, &["from", "to", "step", "first"]),
-    part("axes", ("Axes", "Ejes"), 3, &["x", "y", "step"]),
-    part("angle", ("Angle", "Ángulo"), 3, &["at", "from", "to", "r"]),
-    part("protractor", ("Protractor", "Transportador"), 2, &["at", "r", "turn"]),
-    part("image", ("Picture", "Imagen"), 3, &["at", "size", "href"]),
-    part("tube", ("Tube", "Tubo"), 3, &["from", "to", "width", "level"]),
-    part("utube", ("U-tube", "Tubo en U"), 5, &["at", "spacing", "height", "left", "right", "width"]),
-    part("trail", ("Trail", "Estela"), 1, &["at", "last", "every"]),
-    part("resistor", ("Resistor", "Resistencia"), 2, &["from", "to"]),
-    part("coil", ("Coil", "Bobina"), 2, &["from", "to"]),
-    part("capacitor", ("Capacitor", "Condensador"), 2, &["from", "to"]),
-    part("switch", ("Switch", "Interruptor"), 2, &["from", "to", "closed"]),
-    part("source", ("Source", "Fuente"), 2, &["from", "to"]),
+pub static PARTS: [Part; 24] = [
+    part("spring", words("Spring"), 2, &["from", "to", "turns", "width"]),
+    part("damper", words("Damper"), 2, &["from", "to", "width", "length"]),
+    part("rod", words("Rod"), 2, &["from", "to"]),
+    part("ground", words("Ground"), 2, &["from", "to", "depth"]),
+    part("arrow", words("Arrow"), 2, &["at", "vector"]),
+    part("block", words("Block"), 2, &["at", "size", "turn"]),
+    part("bob", words("Bob"), 1, &["at", "r"]),
+    part("wheel", words("Wheel"), 2, &["at", "r", "turn"]),
+    part("pulley", words("Pulley"), 2, &["at", "r", "turn"]),
+    part("ramp", words("Ramp"), 2, &["from", "to"]),
+    part("label", words("Label"), 1, &["at"]),
+    part("ruler", words("Ruler"), 3, &["from", "to", "step", "first"]),
+    part("axes", words("Axes"), 3, &["x", "y", "step"]),
+    part("angle", words("Angle"), 3, &["at", "from", "to", "r"]),
+    part("protractor", words("Protractor"), 2, &["at", "r", "turn"]),
+    part("image", words("Picture"), 3, &["at", "size", "href"]),
+    part("tube", words("Tube"), 3, &["from", "to", "width", "level"]),
+    part("utube", words("U-tube"), 5, &["at", "spacing", "height", "left", "right", "width"]),
+    part("trail", words("Trail"), 1, &["at", "last", "every"]),
+    part("resistor", words("Resistor"), 2, &["from", "to"]),
+    part("coil", words("Coil"), 2, &["from", "to"]),
+    part("capacitor", words("Capacitor"), 2, &["from", "to"]),
+    part("switch", words("Switch"), 2, &["from", "to", "closed"]),
+    part("source", words("Source"), 2, &["from", "to"]),
 ];
 
 /// The part with this element name.
-pub fn part_of(name: &str) -> Option<Part> {
-    PARTS.into_iter().find(|part| part.name == name)
+pub fn part_of(name: &str) -> Option<&'static Part> {
+    PARTS.iter().find(|part| part.name == name)
 }
 
 /// Default radius of a bob, in units of the drawing.
@@ -99,7 +87,7 @@ pub struct Drawn {
 
 impl Builder<'_, '_> {
     /// Draws a part. All required attributes must be given.
-    pub fn draw_part(&mut self, part: Part, given: &Given) -> Option<Drawn> {
+    pub fn draw_part(&mut self, part: &Part, given: &Given) -> Option<Drawn> {
         match part.name {
             "spring" => self.spring(given),
             "damper" => self.damper(given),
@@ -124,15 +112,15 @@ impl Builder<'_, '_> {
     }
 
     /// True if all required attributes are given; reports the first missing one.
-    pub fn has_needed(&mut self, part: Part, given: &Given, place: Range<usize>) -> bool {
+    pub fn has_needed(&mut self, part: &Part, given: &Given, place: Range<usize>) -> bool {
         let missing = part.attributes.iter().take(part.needed).find(|name| !given.contains_key(**name));
         if let Some(missing) = missing {
             let all = part.attributes.iter().take(part.needed).map(|name| format!("{name}=\"...\""));
             let all = all.collect::<Vec<_>>().join(" ");
             self.refuse(
-                words!("`<{}>` needs `{missing}`", "`<{}>` necesita `{missing}`", part.name),
+                words!("`<{}>` needs `{missing}`", part.name),
                 place,
-                Some(words!("write `<{} {all}/>`", "escribe `<{} {all}/>`", part.name)),
+                Some(words!("write `<{} {all}/>`", part.name)),
             );
         }
         missing.is_none()

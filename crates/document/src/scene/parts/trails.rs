@@ -17,10 +17,7 @@ impl Builder<'_, '_> {
         let at = self.point_of(given, "at")?;
         let (last, every) = (self.duration(given, "last")?, self.duration(given, "every")?);
         if self.trails.len() == TRAILS {
-            let message = words!(
-                "a scene cannot have more than {TRAILS} trails",
-                "una escena no puede tener más de {TRAILS} estelas"
-            );
+            let message = words!("a scene cannot have more than {TRAILS} trails");
             self.refuse_at(message, self.place, None);
             return None;
         }
@@ -47,15 +44,11 @@ impl Builder<'_, '_> {
         if found == expected {
             return self.value(placed).map(Some);
         }
-        let message = words!("`{name}` has the wrong dimension", "`{name}` tiene una dimensión incorrecta");
+        let message = words!("`{name}` has the wrong dimension");
         let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
         // Both labels would be at the same place.
         let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-        self.expressions.diagnostics.push(diagnostic.with_note(words!(
-            "it must be {expected}",
-            "debe ser {expected}",
-            expected = expected
-        )));
+        self.expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
         None
     }
 }

@@ -24,30 +24,24 @@ impl Builder<'_, '_> {
     pub fn frame_space(&mut self, name: Range<usize>, [x, y, place]: [Option<Range<usize>>; 3]) -> Option<Space> {
         if self.space.framed {
             self.refuse(
-                words("a frame cannot stand inside another one", "un marco no puede estar dentro de otro"),
+                words("a frame cannot stand inside another one"),
                 name,
-                Some(words(
-                    "a `<g at=\"(x, y)\" turn=\"phi\">` has an origin of its own",
-                    "un `<g at=\"(x, y)\" turn=\"phi\">` tiene su propio origen",
-                )),
+                Some(words("a `<g at=\"(x, y)\" turn=\"phi\">` has an origin of its own")),
             );
             return None;
         }
         let (Some(x), Some(y)) = (x, y) else {
             self.refuse(
-                words("a frame needs the ranges of `x` and `y`", "un marco necesita los intervalos de `x` e `y`"),
+                words("a frame needs the ranges of `x` and `y`"),
                 name,
-                Some(words("`<frame x=\"-2..2 [m]\" y=\"-1..2 [m]\">`", "`<frame x=\"-2..2 [m]\" y=\"-1..2 [m]\">`")),
+                Some(words("`<frame x=\"-2..2 [m]\" y=\"-1..2 [m]\">`")),
             );
             return None;
         };
         let (x, y) = (self.axis(x), self.axis(y));
         let (x, y) = x.zip(y)?;
         if x.dimension != y.dimension {
-            let message = words(
-                "both axes of a frame have one scale, so they must have one dimension",
-                "los dos ejes de un marco tienen la misma escala, así que deben tener la misma dimensión",
-            );
+            let message = words("both axes of a frame have one scale, so they must have one dimension");
             self.expressions.diagnostics.push(dimension_error(message, (y.span, y.dimension), (x.span, x.dimension)));
             return None;
         }
@@ -82,14 +76,7 @@ impl Builder<'_, '_> {
     fn axis(&mut self, range: Range<usize>) -> Option<Axis> {
         let range = crate::text::source::trim(self.expressions.source, range);
         let Some((low, high)) = points::interval(self.expressions.source, &range) else {
-            self.refuse(
-                words(
-                    "a range is two values with `..` between them",
-                    "un intervalo son dos valores con `..` entre ellos",
-                ),
-                range,
-                Some(words("write `-2..2 [m]`", "escribe `-2..2 [m]`")),
-            );
+            self.refuse(words("a range is two values with `..` between them"), range, Some(words("write `-2..2 [m]`")));
             return None;
         };
         let (low, high) = self.expressions.interval(low, high)?;
@@ -97,10 +84,7 @@ impl Builder<'_, '_> {
         let graph = self.expressions.graph();
         let (low_value, high_value) = (graph.as_constant(low.value.node), graph.as_constant(high.value.node));
         if low.value.dimension() != dimension && low_value != Some(0.0) {
-            let message = words(
-                "both ends of a range have one dimension",
-                "los dos extremos de un intervalo tienen la misma dimensión",
-            );
+            let message = words("both ends of a range have one dimension");
             let found = (low.span, low.value.dimension());
             self.expressions.diagnostics.push(dimension_error(message, found, (high.span, dimension)));
             return None;
@@ -108,7 +92,7 @@ impl Builder<'_, '_> {
         if let (Some(from), Some(to)) = (low_value, high_value)
             && (from >= to || !(to - from).is_finite())
         {
-            self.refuse(words("the range is empty", "el intervalo está vacío"), range, None);
+            self.refuse(words("the range is empty"), range, None);
             return None;
         }
         let span = Span::new(range.start, range.end);
@@ -125,9 +109,9 @@ impl Builder<'_, '_> {
             return Some([low, high]);
         }
         self.refuse_at(
-            words("the ends of axes never change", "los extremos de los ejes no cambian nunca"),
+            words("the ends of axes never change"),
             axis.span,
-            Some(words("write numbers with a unit: `-2..2 [m]`", "escribe números con su unidad: `-2..2 [m]`")),
+            Some(words("write numbers with a unit: `-2..2 [m]`")),
         );
         None
     }
@@ -140,14 +124,10 @@ impl Builder<'_, '_> {
         };
         if numbers.is_none() {
             self.refuse(
-                words(
-                    "a frame is fitted into a box, and there is none",
-                    "un marco se ajusta a un recuadro, y no lo hay",
-                ),
+                words("a frame is fitted into a box, and there is none"),
                 place,
                 Some(words(
                     "give the `svg` element a `viewBox`, or write `box=\"20 20 360 200\"`: left, top, width and height",
-                    "da al elemento `svg` un `viewBox`, o escribe `box=\"20 20 360 200\"`: izquierda, arriba, ancho y alto",
                 )),
             );
         }

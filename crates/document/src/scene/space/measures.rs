@@ -49,8 +49,7 @@ impl Builder<'_, '_> {
             self.note_number(range.start, placed.value.node);
             return Some(placed.value.node);
         }
-        let message =
-            words("an angle is a pure number, such as `30 [deg]`", "un ángulo es un número puro, como `30 [deg]`");
+        let message = words("an angle is a pure number, such as `30 [deg]`");
         let expected = (placed.span, Dimension::NONE);
         self.expressions.diagnostics.push(dimension_error(message, (placed.span, placed.value.dimension()), expected));
         None
@@ -95,16 +94,10 @@ impl Builder<'_, '_> {
             self.expressions.diagnostics.push(
                 Diagnostic::error(
                     "scene-point",
-                    words(
-                        "a point is two numbers in parentheses, or a vector",
-                        "un punto son dos números entre paréntesis, o un vector",
-                    ),
+                    words("a point is two numbers in parentheses, or a vector"),
                     Span::new(range.start, range.end),
                 )
-                .with_hint(words(
-                    "write `(x, 0)`; it may be multiplied, `2*(x, y)`, and points may be added",
-                    "escribe `(x, 0)`; se puede multiplicar, `2*(x, y)`, y los puntos se pueden sumar",
-                )),
+                .with_hint(words("write `(x, 0)`; it may be multiplied, `2*(x, y)`, and points may be added")),
             );
             return None;
         };
@@ -129,20 +122,12 @@ impl Builder<'_, '_> {
             return Some(value.node);
         }
         let diagnostic = if self.space.framed {
-            let message = words(
-                "a length in a frame must have the dimension of its axes",
-                "una longitud en un marco debe tener la dimensión de sus ejes",
-            );
+            let message = words("a length in a frame must have the dimension of its axes");
             dimension_error(message, (span, value.dimension()), (self.space.declared, expected))
         } else {
-            let message = words(
-                "a length in the drawing is a pure number, in units of the `viewBox`",
-                "una longitud en el dibujo es un número puro, en unidades del `viewBox`",
-            );
-            dimension_error(message, (span, value.dimension()), (span, expected)).with_hint(words(
-                "inside a `<frame x=\"-2..2 [m]\" y=\"-1..2 [m]\">` lengths are those of the problem",
-                "dentro de un `<frame x=\"-2..2 [m]\" y=\"-1..2 [m]\">` las longitudes son las del problema",
-            ))
+            let message = words("a length in the drawing is a pure number, in units of the `viewBox`");
+            dimension_error(message, (span, value.dimension()), (span, expected))
+                .with_hint(words("inside a `<frame x=\"-2..2 [m]\" y=\"-1..2 [m]\">` lengths are those of the problem"))
         };
         self.expressions.diagnostics.push(diagnostic);
         None

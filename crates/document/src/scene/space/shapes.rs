@@ -112,12 +112,9 @@ impl Builder<'_, '_> {
         let found = steps(self.expressions.source, inner.clone(), "");
         let Ok([Step::Point(pair)]) = found.as_deref() else {
             self.refuse(
-                words("a size is two lengths in parentheses", "un tamaño son dos longitudes entre paréntesis"),
+                words("a size is two lengths in parentheses"),
                 inner,
-                Some(words(
-                    "write `(30 [cm], 20 [cm])` or `(30px, 20px)`",
-                    "escribe `(30 [cm], 20 [cm])` o `(30px, 20px)`",
-                )),
+                Some(words("write `(30 [cm], 20 [cm])` or `(30px, 20px)`")),
             );
             return None;
         };
@@ -153,11 +150,11 @@ impl Builder<'_, '_> {
             Ok(steps) => steps,
             Err(place) => {
                 let hint = if commands.is_empty() {
-                    words("write `(0, 0) (x, y)`", "escribe `(0, 0) (x, y)`")
+                    words("write `(0, 0) (x, y)`")
                 } else {
-                    words("write `M (0, 0) L (x, y) Z`", "escribe `M (0, 0) L (x, y) Z`")
+                    words("write `M (0, 0) L (x, y) Z`")
                 };
-                let message = words("in a frame this consists of points", "en un marco esto consiste en puntos");
+                let message = words("in a frame this consists of points");
                 self.refuse(message, place, Some(hint));
                 return None;
             }

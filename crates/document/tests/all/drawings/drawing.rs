@@ -335,7 +335,7 @@ proptest! {
             let kind = kinds[number % kinds.len()];
             let edits: Result<Vec<Edit>, _> = match action {
                 0 | 1 => shift(&outline, number, grip, by, &measure),
-                2 => add_element(&outline, kind, (by, 0.1), &measure, Language::Spanish).map(|(edit, _)| vec![edit]),
+                2 => add_element(&outline, kind, (by, 0.1), &measure, catalogues::with(Language::Spanish)).map(|(edit, _)| vec![edit]),
                 3 => remove_elements(&outline, &[number]),
                 4 => duplicate_element(&outline, number, by, &measure).map(|(edit, _)| vec![edit]),
                 5 => reorder_element(&outline, number, if x > 0 { Order::Forward } else { Order::Backward }).map(|(edits, _)| edits),

@@ -9,7 +9,7 @@ const MODEL: &str = "```model\nparameter l = 2 [m] in 1..3\nx' = 0 [m/s]\nx(0) =
 fn open(scene: &str) -> (Program, Vec<String>) {
     let source = format!("{MODEL}```scene\n<svg viewBox='0 0 400 300'>{scene}</svg>\n```\n");
     let opened = document::open(&source, &[]);
-    let found = opened.diagnostics.iter().map(|(_, one)| one.message.english.to_string()).collect();
+    let found = opened.diagnostics.iter().map(|(_, one)| one.message.english()).collect();
     (opened.document.expect("the model is good").program, found)
 }
 

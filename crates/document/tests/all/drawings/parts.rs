@@ -12,7 +12,7 @@ fn open(scene: &str) -> (Program, Vec<String>) {
     let source = format!("{MODEL}```scene\n<svg viewBox='0 0 400 300'>{scene}</svg>\n```\n");
     let opened = document::open(&source, &["---\nlanguage: es\ntranslates: a.md\ntitle: B\n---\n"]);
     let found = opened.diagnostics.iter().filter(|(file, _)| *file == 0);
-    let found = found.map(|(_, one)| one.message.english.to_string()).collect();
+    let found = found.map(|(_, one)| one.message.english()).collect();
     (opened.document.expect("the model is good").program, found)
 }
 
@@ -185,7 +185,7 @@ fn connecting_words_are_names_too() {
         );
         let opened = document::open(&source, &[]);
         let errors = opened.diagnostics.iter().filter(|(_, found)| found.severity == model::Severity::Error);
-        let errors: Vec<&str> = errors.map(|(_, found)| &*found.message.english).collect();
+        let errors: Vec<String> = errors.map(|(_, found)| found.message.english()).collect();
         assert_eq!(errors, [""; 0], "{name}");
         let program = opened.document.unwrap().program;
         assert_eq!((program.plots.len(), program.checks.iter().map(|check| check.claims.len()).sum::<usize>()), (5, 3));

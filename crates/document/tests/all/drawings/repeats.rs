@@ -10,7 +10,7 @@ const FRAME: &str = "<frame x='-2..2 [m]' y='-1..2 [m]'>";
 fn open(scene: &str) -> (Program, Vec<String>) {
     let source = format!("{MODEL}```scene\n<svg viewBox='0 0 400 300'>{scene}</svg>\n```\n");
     let opened = document::open(&source, &[]);
-    let found = opened.diagnostics.iter().map(|(_, one)| one.message.english.to_string()).collect();
+    let found = opened.diagnostics.iter().map(|(_, one)| one.message.english()).collect();
     (opened.document.expect("the model is good").program, found)
 }
 
@@ -100,7 +100,7 @@ fn members_of_families_are_drawn_and_dragged_by_their_index() {
                   ```scene\n<svg viewBox='0 0 400 300'><frame x='-2..2 [m]' y='-1..2 [m]'>\
                   <circle repeat='i in 1..N' at='(x[i], 0 [m])' r='5px' drag='x[i]'/></frame></svg>\n```\n";
     let opened = document::open(source, &[]);
-    let found: Vec<String> = opened.diagnostics.iter().map(|(_, one)| one.message.english.to_string()).collect();
+    let found: Vec<String> = opened.diagnostics.iter().map(|(_, one)| one.message.english()).collect();
     assert_eq!(found, [""; 0]);
     let program = opened.document.expect("it is good").program;
     fn dragged(element: &Element, found: &mut Vec<program::Dragged>) {

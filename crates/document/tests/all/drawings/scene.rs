@@ -49,7 +49,7 @@ fn print(element: &Element) -> String {
 
 fn check(scene: &str, expected: &str, messages: &[&str]) {
     let opened = open(scene);
-    let found: Vec<&str> = opened.diagnostics.iter().map(|(_, d)| &*d.message.english).collect();
+    let found: Vec<String> = opened.diagnostics.iter().map(|(_, d)| d.message.english()).collect();
     assert_eq!(found, messages, "{scene}");
     let document = opened.document.expect("the model is good");
     let scene = document.program.scene("en").map(|scene| print(&scene.root)).unwrap_or_default();
@@ -79,7 +79,7 @@ fn colours_and_numbers_of_attributes_are_checked() {
         let scene = format!("<svg viewBox='0 0 9 9'><circle {attribute}/></svg>");
         let opened = open(&scene);
         let [(0, found)] = &opened.diagnostics[..] else { panic!("{attribute}: {:?}", opened.diagnostics) };
-        assert_eq!(found.message.english, message);
+        assert_eq!(found.message.english(), message);
         let remedies: Vec<&str> = found.fixes.iter().map(|fix| fix.edits[0].text.as_str()).collect();
         assert_eq!(remedies.join(" "), remedy, "{attribute}");
         assert!(attribute.contains(opened.document.unwrap().source[found.span().range()].trim_matches(['{', '}'])));

@@ -44,7 +44,7 @@ fn a_question_waits_for_earlier_ones() {
     let text = |third: &str| [model, &question(""), &question("after: previous\n"), &question(third)].concat();
     let after = |third: &str| {
         let opened = document::open(&text(third), &[]);
-        let errors: Vec<_> = opened.diagnostics.iter().map(|(_, found)| found.message.english.clone()).collect();
+        let errors: Vec<_> = opened.diagnostics.iter().map(|(_, found)| found.message.english()).collect();
         (opened.document.unwrap().program.questions.pop().unwrap().after, errors)
     };
     assert_eq!(after("after: previous\n"), (vec![1], vec![]));

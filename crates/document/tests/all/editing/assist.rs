@@ -50,20 +50,20 @@ fn suggestions_fit_their_place() {
 #[test]
 fn names_come_first_with_label_and_unit() {
     let found = completed("= -k*", "o #");
-    let listed: Vec<(&str, &str)> = found.suggestions[..7]
+    let listed: Vec<(&str, String)> = found.suggestions[..7]
         .iter()
-        .map(|suggestion| (suggestion.text.as_str(), &*suggestion.meaning.english))
+        .map(|suggestion| (suggestion.text.as_str(), suggestion.meaning.english()))
         .collect();
     assert_eq!(
         listed,
         [
-            ("k", "Stiffness, parameter in N/m"),
-            ("m", "parameter in kg"),
-            ("x", "Displacement, state in m"),
-            ("omega", "Natural frequency, quantity in 1/s"),
-            ("half", "function of this document"),
-            ("E", "quantity in J"),
-            ("F", "quantity in N"),
+            ("k", "Stiffness, parameter in N/m".to_owned()),
+            ("m", "parameter in kg".to_owned()),
+            ("x", "Displacement, state in m".to_owned()),
+            ("omega", "Natural frequency, quantity in 1/s".to_owned()),
+            ("half", "function of this document".to_owned()),
+            ("E", "quantity in J".to_owned()),
+            ("F", "quantity in N".to_owned()),
         ]
     );
 }
@@ -83,7 +83,7 @@ fn words_are_explained() {
         let (opened, offset) = at(before, behind);
         let program = opened.document.as_ref().map(|document| &document.program);
         let found = explain(&document::read(DOCUMENT), program, offset).unwrap_or_else(|| panic!("{before}"));
-        assert_eq!((&DOCUMENT[found.span.range()], &*found.meaning.english), (word, meaning), "{before}");
+        assert_eq!((&DOCUMENT[found.span.range()], &*found.meaning.english()), (word, meaning), "{before}");
     }
 }
 
@@ -99,8 +99,8 @@ fn a_name_has_its_dimension_with_its_primes_and_its_statement() {
         let (opened, offset) = at(before, behind);
         let program = opened.document.as_ref().map(|document| &document.program);
         let found = explain(&document::read(DOCUMENT), program, offset).unwrap_or_else(|| panic!("{before}"));
-        let named = found.dimension.as_ref().map(|words| &*words.english);
-        assert_eq!((&DOCUMENT[found.span.range()], named), (word, dimension), "{before}");
+        let named = found.dimension.as_ref().map(|words| words.english());
+        assert_eq!((&DOCUMENT[found.span.range()], named.as_deref()), (word, dimension), "{before}");
     }
     let typeset = |before, behind| typeset_at(&document::read(DOCUMENT), at(before, behind).1);
     assert!(typeset("omega = sq", "rt(k").contains("<msqrt>"));
@@ -113,7 +113,11 @@ fn every_function_and_part_is_explained() {
     for function in FUNCTIONS.iter().filter(|function| function.name != Function::STREAM) {
         let known = found.suggestions.iter().find(|suggestion| suggestion.text == function.name);
         let meaning = known.map(|suggestion| &suggestion.meaning).unwrap_or_else(|| panic!("{}", function.name));
-        assert!(!meaning.english.is_empty() && !meaning.spanish.is_empty(), "{}", function.name);
+        assert!(
+            !meaning.english().is_empty() && !meaning.text(catalogues::with(units::Language::Spanish)).is_empty(),
+            "{}",
+            function.name
+        );
     }
 }
 

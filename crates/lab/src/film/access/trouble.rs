@@ -31,17 +31,14 @@ impl Trouble {
             Self::Film(error) => error.words(),
             Self::Insecure => words(
                 "browsers decode films only in pages from a file, from https or from this computer (localhost), and this page came over http: save the page and open the file, or serve it with https",
-                "los navegadores solo decodifican vídeos en páginas de un archivo, de https o de este equipo (localhost), y esta página llegó por http: guarda la página y abre el archivo, o sírvela con https",
             ),
-            Self::Unreadable => words(
-                "the browser cannot read the file any more; it was moved or changed: open it again",
-                "el navegador ya no puede leer el archivo; se movió o cambió: ábrelo de nuevo",
-            ),
+            Self::Unreadable => {
+                words("the browser cannot read the file any more; it was moved or changed: open it again")
+            }
             Self::Frame(frame) => words!(
-                "the browser could not decode frame {frame}; the film may be damaged there: leave that part out, or convert the film to MP4 with H.264",
-                "el navegador no pudo decodificar el fotograma {frame}; el vídeo puede estar dañado ahí: excluye esa parte o convierte el vídeo a MP4 con H.264"
+                "the browser could not decode frame {frame}; the film may be damaged there: leave that part out, or convert the film to MP4 with H.264"
             ),
-            Self::Closed => words("the film was closed", "se cerró el vídeo"),
+            Self::Closed => words("the film was closed"),
         }
     }
 }

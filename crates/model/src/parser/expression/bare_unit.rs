@@ -57,9 +57,9 @@ impl BareUnit<'_> {
     pub(in crate::parser) fn after(&self, number: &str) -> Diagnostic {
         let Self { text, span, .. } = self;
         let wrong = if self.is_round {
-            words!("the unit `{text}` stands in round brackets", "la unidad `{text}` va entre paréntesis")
+            words!("the unit `{text}` stands in round brackets")
         } else {
-            words!("`{text}` cannot stand directly after a number", "`{text}` no puede ir justo después de un número")
+            words!("`{text}` cannot stand directly after a number")
         };
         self.with_brackets(Diagnostic::error("unit-without-brackets", wrong, *span), number)
     }
@@ -68,10 +68,7 @@ impl BareUnit<'_> {
     pub(in crate::parser) fn with_brackets(&self, diagnostic: Diagnostic, number: &str) -> Diagnostic {
         let Self { text, span, .. } = self;
         diagnostic
-            .with_hint(words!(
-                "a unit stands in square brackets: {number} [{text}]",
-                "una unidad va entre corchetes: {number} [{text}]"
-            ))
+            .with_hint(words!("a unit stands in square brackets: {number} [{text}]"))
             .with_fix(*span, format!("[{text}]"))
     }
 }

@@ -15,11 +15,10 @@ impl Cursor<'_> {
     pub(in crate::parser) fn decimal_comma<T>(&mut self) -> Read<T> {
         let comma = self.span();
         if !self.is_between_digits(comma) {
-            let wrong = words("a comma cannot stand here", "aquí no puede haber una coma");
+            let wrong = words("a comma cannot stand here");
             return self.fail(Diagnostic::error("unexpected-token", wrong, comma));
         }
-        let wrong =
-            words("a number has a decimal point here, not a comma", "aquí los números llevan punto decimal, no coma");
+        let wrong = words("a number has a decimal point here, not a comma");
         let diagnostic = Diagnostic::error("decimal-comma", wrong, comma).with_fix(comma, ".");
         let is_digit = |c: char| c.is_ascii_digit();
         let before = &self.source[..comma.start];
@@ -29,10 +28,7 @@ impl Cursor<'_> {
         let is_ambiguous = after.len() == THOUSANDS && before.len() <= THOUSANDS && !before.starts_with('0');
         self.fail(if is_ambiguous {
             diagnostic
-                .with_hint(words!(
-                    "a decimal comma means {before}.{after}, a separator of thousands {before}{after}",
-                    "una coma decimal significa {before}.{after}; un separador de millares, {before}{after}"
-                ))
+                .with_hint(words!("a decimal comma means {before}.{after}, a separator of thousands {before}{after}"))
                 .with_fix(comma, "")
         } else {
             diagnostic
@@ -64,15 +60,12 @@ impl Cursor<'_> {
                 at = separator.end;
             }
             written += &source[at..call.end];
-            let wrong = words(
-                "arguments are separated by `,` here, not by `;`",
-                "aquí los argumentos se separan con `,`, no con `;`",
-            );
+            let wrong = words("arguments are separated by `,` here, not by `;`");
             let diagnostic = Diagnostic::error("argument-separator", wrong, *first);
             let diagnostic = diagnostic.with_hint(if has_decimal {
-                words!("with decimal points, write {written}", "con puntos decimales, escribe {written}")
+                words!("with decimal points, write {written}")
             } else {
-                words!("write {written}", "escribe {written}")
+                words!("write {written}")
             });
             return self.say(diagnostic.with_fix(call, written));
         }
@@ -80,12 +73,11 @@ impl Cursor<'_> {
             return;
         }
         for comma in separators.iter().filter(|comma| self.is_between_digits(**comma)).copied().collect::<Vec<_>>() {
-            let wrong = words("this comma separates two arguments", "esta coma separa dos argumentos");
+            let wrong = words("this comma separates two arguments");
             self.say(
                 Diagnostic::warning("decimal-comma", wrong, comma)
                     .with_hint(words(
                         "a number has a decimal point; between two arguments write a blank after the comma",
-                        "los números llevan punto decimal; entre dos argumentos escribe un espacio tras la coma",
                     ))
                     .with_fix(comma, ".")
                     .with_fix(comma, ", "),

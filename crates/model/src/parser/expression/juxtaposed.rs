@@ -59,7 +59,7 @@ impl Cursor<'_> {
         };
         let place = span.to(end);
         let written = &source[place.range()];
-        let wrong = words!("`{written}` is written `{ours}` here", "`{written}` se escribe aquí `{ours}`");
+        let wrong = words!("`{written}` is written `{ours}` here");
         self.say(Diagnostic::error("foreign-power", wrong, place).with_fix(place, ours));
     }
 
@@ -79,15 +79,12 @@ impl Cursor<'_> {
         if let ExpressionKind::Name { name, order: 0 } = &last.kind
             && Function::named(name).is_some()
         {
-            let wrong = words!(
-                "the argument of `{before}` stands in parentheses",
-                "el argumento de `{before}` va entre paréntesis"
-            );
+            let wrong = words!("the argument of `{before}` stands in parentheses");
             let argument = self.product_ahead();
             let now = &source[argument.range()];
             let span = last.span.to(argument);
             let diagnostic = Diagnostic::error("missing-parentheses", wrong, span);
-            let diagnostic = diagnostic.with_hint(words!("write {before}({now})", "escribe {before}({now})"));
+            let diagnostic = diagnostic.with_hint(words!("write {before}({now})"));
             return self.say(diagnostic.with_fix(span, format!("{before}({now})")));
         }
         let is_call = *self.peek_ahead(1) == TokenKind::Symbol(Symbol::LeftParenthesis);
@@ -97,19 +94,13 @@ impl Cursor<'_> {
             _ if is_call => "(...)",
             _ => "",
         };
-        let product = words!(
-            "a product is written with *: {before}*{now}{rest}",
-            "un producto se escribe con *: {before}*{now}{rest}"
-        );
+        let product = words!("a product is written with *: {before}*{now}{rest}");
         let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
         let unit = self.bare_unit().filter(|_| is_number);
         if let Some(unit) = unit.as_ref().filter(|unit| unit.is_certain) {
             return self.say(unit.after(before).with_hint(product).with_fix(gap, "*"));
         }
-        let wrong = words!(
-            "an operator is missing between `{before}` and `{now}`",
-            "falta un operador entre `{before}` y `{now}`"
-        );
+        let wrong = words!("an operator is missing between `{before}` and `{now}`");
         let mut diagnostic = Diagnostic::error("missing-operator", wrong, place).with_hint(product).with_fix(gap, "*");
         if let Some(unit) = unit {
             diagnostic = unit.with_brackets(diagnostic, before);

@@ -100,10 +100,7 @@ impl Cursor<'_> {
 
     fn climb(&mut self, weakest: Strength) -> Read<Tree> {
         if self.depth >= DEEPEST {
-            return self.too_deep(
-                self.span(),
-                words("this is nested too deeply", "esto está anidado a demasiada profundidad"),
-            );
+            return self.too_deep(self.span(), words("this is nested too deeply"));
         }
         self.depth += 1;
         let read = self.prefix(weakest).and_then(|left| self.infix(left, weakest));
@@ -112,10 +109,8 @@ impl Cursor<'_> {
     }
 
     pub(super) fn too_deep<T>(&mut self, span: Span, wrong: Words) -> Read<T> {
-        let diagnostic = Diagnostic::error("too-deep", wrong, span).with_hint(words(
-            "define parts of it as quantities of their own",
-            "define partes de ella como magnitudes propias",
-        ));
+        let diagnostic = Diagnostic::error("too-deep", wrong, span)
+            .with_hint(words("define parts of it as quantities of their own"));
         self.fail(diagnostic)
     }
 
@@ -181,7 +176,7 @@ impl Cursor<'_> {
     fn join(&mut self, operator: BinaryOperator, left: Tree, right: Tree, place: Span) -> Read<Tree> {
         let height = left.height.max(right.height) + 1;
         if height > HIGHEST {
-            return self.too_deep(place, words("this expression is too long", "esta expresión es demasiado larga"));
+            return self.too_deep(place, words("this expression is too long"));
         }
         let span = left.expression.span.to(right.expression.span);
         let kind = ExpressionKind::Binary(operator, Box::new(left.expression), Box::new(right.expression));
@@ -203,15 +198,9 @@ impl Cursor<'_> {
         let middle = &source[middle.span.range()];
         let first = &source[left.expression.span.range()];
         let sign = &source[place.range()];
-        let hint =
-            words!("write both: {first} and {middle} {sign} ...", "escribe las dos: {first} and {middle} {sign} ...");
+        let hint = words!("write both: {first} and {middle} {sign} ...");
         self.say(
-            Diagnostic::error(
-                "chained-comparison",
-                words("comparisons cannot be chained", "las comparaciones no se pueden encadenar"),
-                place,
-            )
-            .with_hint(hint),
+            Diagnostic::error("chained-comparison", words("comparisons cannot be chained"), place).with_hint(hint),
         );
         Ok(())
     }
@@ -240,22 +229,13 @@ impl Cursor<'_> {
         if unit.dimension.is_none() {
             return;
         }
-        let diagnostic = Diagnostic::error(
-            "unit-in-exponent",
-            words!("`[{unit}]` belongs to the exponent {value} here", "`[{unit}]` pertenece aquí al exponente {value}"),
-            *span,
-        );
+        let diagnostic =
+            Diagnostic::error("unit-in-exponent", words!("`[{unit}]` belongs to the exponent {value} here"), *span);
         let is_ten = matches!(base.expression.kind, ExpressionKind::Number { value, unit: None } if value == 10.0);
         self.say(if is_ten {
-            diagnostic.with_hint(words!(
-                "powers of ten are part of a number: 1e{value} [{unit}]",
-                "las potencias de diez forman parte del número: 1e{value} [{unit}]"
-            ))
+            diagnostic.with_hint(words!("powers of ten are part of a number: 1e{value} [{unit}]"))
         } else {
-            diagnostic.with_hint(words!(
-                "to state the unit of the expression, write: in [{unit}]",
-                "para declarar la unidad de la expresión, escribe: in [{unit}]"
-            ))
+            diagnostic.with_hint(words!("to state the unit of the expression, write: in [{unit}]"))
         });
         exponent.expression.kind = ExpressionKind::Error;
     }
@@ -263,14 +243,14 @@ impl Cursor<'_> {
     fn branches(&mut self) -> Read<Tree> {
         let start = self.advance();
         let condition = self.expression()?;
-        self.refuse_equals(words("condition", "una condición"));
+        self.refuse_equals(words("condition"));
         self.expect_keyword(Keyword::Then, "then", start)?;
         let yes = self.expression()?;
         self.expect_keyword(Keyword::Else, "else", start)?;
         let no = self.expression()?;
         let height = condition.height.max(yes.height).max(no.height) + 1;
         if height > HIGHEST {
-            return self.too_deep(start, words("this expression is too long", "esta expresión es demasiado larga"));
+            return self.too_deep(start, words("this expression is too long"));
         }
         let span = start.to(no.expression.span);
         let [condition, yes, no] = [condition, yes, no].map(|tree| Box::new(tree.expression));
@@ -284,32 +264,19 @@ impl Cursor<'_> {
         }
         let code = if keyword == Keyword::Then { "missing-then" } else { "missing-else" };
         let diagnostic = if self.at_line_end() && *self.peek_ahead(1) == TokenKind::Keyword(keyword) {
-            let wrong = words!(
-                "the line ends before the `{word}` of this `if`",
-                "la línea termina antes del `{word}` de este `if`"
-            );
+            let wrong = words!("the line ends before the `{word}` of this `if`");
             let end = self.last_span().after();
             // The next line belongs to the same mistake.
             self.advance();
             Diagnostic::error(code, wrong, start)
-                .with_label(end, words("the statement ends here", "la sentencia termina aquí"))
-                .with_hint(words!(
-                    "put `{word}` at the end of this line, or the whole `if` into parentheses",
-                    "pon `{word}` al final de esta línea, o todo el `if` entre paréntesis"
-                ))
+                .with_label(end, words("the statement ends here"))
+                .with_hint(words!("put `{word}` at the end of this line, or the whole `if` into parentheses"))
         } else {
-            let wrong = words!(
-                "`{word}` is expected here, not {found}",
-                "aquí se espera `{word}`, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("`{word}` is expected here, not {found}", found = self.found());
             let place = if self.at_line_end() { self.last_span().after() } else { self.span() };
             let diagnostic = Diagnostic::error(code, wrong, place)
-                .with_label(start, words("of this `if`", "de este `if`"))
-                .with_hint(words(
-                    "the form is: if CONDITION then VALUE else VALUE",
-                    "la forma es: if CONDICIÓN then VALOR else VALOR",
-                ));
+                .with_label(start, words("of this `if`"))
+                .with_hint(words("the form is: if CONDITION then VALUE else VALUE"));
             // A literal 0 fits every dimension.
             let is_last =
                 self.at_line_end() || matches!(self.peek(), TokenKind::Text(_) | TokenKind::Keyword(Keyword::In));
@@ -325,13 +292,9 @@ impl Cursor<'_> {
     /// Reports `=` in a condition, where `==` is meant.
     pub(super) fn refuse_equals(&mut self, what: Words) {
         if *self.peek() == TokenKind::Symbol(Symbol::Equals) {
-            let wrong = words!(
-                "`=` does not compare; it cannot stand in a {what}",
-                "`=` no compara; no puede estar en {what}",
-                what = what
-            );
+            let wrong = words!("`=` does not compare; it cannot stand in a {what}");
             let diagnostic = Diagnostic::error("equals-in-condition", wrong, self.span());
-            self.say(diagnostic.with_hint(words("to compare, write ==", "para comparar, escribe ==")));
+            self.say(diagnostic.with_hint(words("to compare, write ==")));
             self.advance();
             // Skips the right side; a second message about it is not needed.
             let _ = self.climb(Strength::Sum);

@@ -29,7 +29,7 @@ impl Cursor<'_> {
             TokenKind::Symbol(Symbol::LeftParenthesis) => {
                 self.advance();
                 let mut inside = self.expression()?;
-                self.refuse_equals(words("parenthesis", "un paréntesis"));
+                self.refuse_equals(words("parenthesis"));
                 if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
                     return self.tuple(inside, span);
                 }
@@ -42,10 +42,7 @@ impl Cursor<'_> {
             TokenKind::Symbol(Symbol::Root) => {
                 self.advance();
                 if self.depth >= DEEPEST {
-                    return self.too_deep(
-                        span,
-                        words("this is nested too deeply", "esto está anidado a demasiada profundidad"),
-                    );
+                    return self.too_deep(span, words("this is nested too deeply"));
                 }
                 self.depth += 1;
                 let inside = self.operand();
@@ -93,7 +90,7 @@ impl Cursor<'_> {
         if *self.peek() != TokenKind::Symbol(Symbol::RightParenthesis) {
             loop {
                 arguments.push(self.expression()?);
-                self.refuse_equals(words("function's argument", "el argumento de una función"));
+                self.refuse_equals(words("function's argument"));
                 if self.at_for() {
                     return self.reduction(name, arguments, parenthesis);
                 }
@@ -106,17 +103,11 @@ impl Cursor<'_> {
         self.check_separators(&name, &separators, end);
         self.refuse_prime()?;
         if name.text == "log" {
-            let diagnostic = Diagnostic::error(
-                "ambiguous-logarithm",
-                words("it is not clear which logarithm `log` is", "no está claro qué logaritmo es `log`"),
-                name.span,
-            )
-            .with_hint(words(
-                "write ln for the natural logarithm or log10 for the decimal one",
-                "escribe ln para el logaritmo natural o log10 para el decimal",
-            ))
-            .with_fix(name.span, "ln")
-            .with_fix(name.span, "log10");
+            let diagnostic =
+                Diagnostic::error("ambiguous-logarithm", words("it is not clear which logarithm `log` is"), name.span)
+                    .with_hint(words("write ln for the natural logarithm or log10 for the decimal one"))
+                    .with_fix(name.span, "ln")
+                    .with_fix(name.span, "log10");
             self.say(diagnostic);
             return Ok(leaf(ExpressionKind::Error, span.to(end)));
         }
@@ -130,23 +121,14 @@ impl Cursor<'_> {
         let written = &self.source[span.range()];
         let diagnostic = Diagnostic::error(
             "initial-value-not-at-zero",
-            words!(
-                "only 0 can stand in the parenthesis after `{written}`",
-                "tras `{written}` solo puede haber un 0 entre paréntesis"
-            ),
+            words!("only 0 can stand in the parenthesis after `{written}`"),
             argument.expression.span,
         )
-        .with_note(words!(
-            "{written}(0) is the value at the start, {written} alone the present one",
-            "{written}(0) es el valor inicial; {written} solo, el actual"
-        ));
+        .with_note(words!("{written}(0) is the value at the start, {written} alone the present one"));
         let diagnostic = match argument.expression.kind {
             ExpressionKind::Number { .. } => diagnostic,
             ExpressionKind::Name { .. } => diagnostic.with_fix(parenthesis.to(end), ""),
-            _ => diagnostic.with_hint(words!(
-                "a product is written with *: {written}*(...)",
-                "un producto se escribe con *: {written}*(...)"
-            )),
+            _ => diagnostic.with_hint(words!("a product is written with *: {written}*(...)")),
         };
         self.say(diagnostic);
         Ok(leaf(ExpressionKind::Name { name: name.text.clone(), order }, span.to(end)))
@@ -161,16 +143,11 @@ impl Cursor<'_> {
             return self.decimal_comma();
         }
         let diagnostic = if self.at_line_end() {
-            Diagnostic::error("unclosed-parenthesis", words("this `(` is not closed", "este `(` no se cierra"), open)
-                .with_label(
-                    self.last_span().after(),
-                    words("`)` is missing, here at the latest", "falta `)`, a más tardar aquí"),
-                )
+            Diagnostic::error("unclosed-parenthesis", words("this `(` is not closed"), open)
+                .with_label(self.last_span().after(), words("`)` is missing, here at the latest"))
         } else {
-            let wrong =
-                words!("`)` is expected here, not {found}", "aquí se espera `)`, no {found}", found = self.found());
-            Diagnostic::error("unclosed-parenthesis", wrong, self.span())
-                .with_label(open, words("closes this `(`", "cierra este `(`"))
+            let wrong = words!("`)` is expected here, not {found}", found = self.found());
+            Diagnostic::error("unclosed-parenthesis", wrong, self.span()).with_label(open, words("closes this `(`"))
         };
         self.fail(diagnostic.with_fix(self.last_span().after(), ")"))
     }
@@ -180,15 +157,8 @@ impl Cursor<'_> {
         if *self.peek() != TokenKind::Primes {
             return Ok(());
         }
-        let diagnostic = Diagnostic::error(
-            "prime-after-expression",
-            words("a prime belongs to a name", "una prima va unida a un nombre"),
-            self.span(),
-        )
-        .with_hint(words(
-            "give the expression a name (v = ...) and write v'",
-            "da un nombre a la expresión (v = ...) y escribe v'",
-        ));
+        let diagnostic = Diagnostic::error("prime-after-expression", words("a prime belongs to a name"), self.span())
+            .with_hint(words("give the expression a name (v = ...) and write v'"));
         self.fail(diagnostic)
     }
 
@@ -200,58 +170,26 @@ impl Cursor<'_> {
         let place = if line_end { last } else { span };
         let found = self.found();
         let diagnostic = match self.peek() {
-            TokenKind::Brackets(_) => Diagnostic::error(
-                "unit-without-number",
-                words("a unit belongs to a number", "una unidad acompaña a un número"),
-                span,
-            )
-            .with_hint(words(
-                "such as 1 [m]; to state the unit of an expression, write `in [m]` after it",
-                "por ejemplo, 1 [m]; para declarar la unidad de una expresión, escribe `in [m]` tras ella",
-            )),
-            TokenKind::Primes => Diagnostic::error(
-                "prime-after-expression",
-                words("a prime belongs to a name", "una prima va unida a un nombre"),
-                span,
-            )
-            .with_hint(words("write it directly after the name: y'", "escríbela justo después del nombre: y'")),
+            TokenKind::Brackets(_) => {
+                Diagnostic::error("unit-without-number", words("a unit belongs to a number"), span)
+                    .with_hint(words("such as 1 [m]; to state the unit of an expression, write `in [m]` after it"))
+            }
+            TokenKind::Primes => Diagnostic::error("prime-after-expression", words("a prime belongs to a name"), span)
+                .with_hint(words("write it directly after the name: y'")),
             TokenKind::Keyword(Keyword::Then | Keyword::Else | Keyword::In) => {
-                let wrong = words!(
-                    "an expression is expected before {found}",
-                    "se espera una expresión antes de {found}",
-                    found = found
-                );
+                let wrong = words!("an expression is expected before {found}");
                 Diagnostic::error("missing-expression", wrong, place)
             }
             TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When) => {
-                let wrong = words!(
-                    "{found} is a word of the language and cannot be a name",
-                    "{found} es una palabra del lenguaje y no puede ser un nombre",
-                    found = found
-                );
+                let wrong = words!("{found} is a word of the language and cannot be a name");
                 Diagnostic::error("reserved-word", wrong, place)
             }
             _ if line_end && last.start < last.end => {
-                let wrong = words!(
-                    "an expression is expected after `{written}`",
-                    "se espera una expresión después de `{written}`"
-                );
+                let wrong = words!("an expression is expected after `{written}`");
                 Diagnostic::error("missing-expression", wrong, place)
             }
-            _ if line_end => Diagnostic::error(
-                "missing-expression",
-                words("an expression is expected here", "aquí se espera una expresión"),
-                place,
-            ),
-            _ => Diagnostic::error(
-                "missing-expression",
-                words!(
-                    "an expression is expected here, not {found}",
-                    "aquí se espera una expresión, no {found}",
-                    found = found
-                ),
-                place,
-            ),
+            _ if line_end => Diagnostic::error("missing-expression", words("an expression is expected here"), place),
+            _ => Diagnostic::error("missing-expression", words!("an expression is expected here, not {found}"), place),
         };
         self.fail(diagnostic)
     }

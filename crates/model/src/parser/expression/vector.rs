@@ -14,7 +14,7 @@ impl Cursor<'_> {
         let mut parts = vec![first.expression];
         while self.take(Symbol::Comma).is_some() {
             let part = self.expression()?;
-            self.refuse_equals(words("parenthesis", "un paréntesis"));
+            self.refuse_equals(words("parenthesis"));
             height = height.max(part.height);
             parts.push(part.expression);
         }
@@ -22,13 +22,9 @@ impl Cursor<'_> {
         let mut span = open.to(end);
         if parts.len() > AXES.len() {
             let count = parts.len();
-            let wrong = words!(
-                "a vector has 2 or 3 components, and this has {count}",
-                "un vector tiene 2 o 3 componentes, y este tiene {count}"
-            );
+            let wrong = words!("a vector has 2 or 3 components, and this has {count}");
             self.say(Diagnostic::error("vector-components", wrong, span).with_hint(words(
                 "what has a number for each of many things is a family: `x[i] = ... for i in 1..10`",
-                "lo que tiene un número para cada una de muchas cosas es una familia: `x[i] = ... for i in 1..10`",
             )));
             return Ok(leaf(ExpressionKind::Error, span));
         }
@@ -60,7 +56,7 @@ impl Cursor<'_> {
     pub(in crate::parser) fn axis_after(&mut self, order: u32) -> Read<(Option<usize>, u32)> {
         let TokenKind::Component { axis, order: more } = *self.peek() else { return Ok((None, order)) };
         if order + more > limits::ORDER {
-            let wrong = words!("{} primes are too many", "{} primas son demasiadas", order + more);
+            let wrong = words!("{} primes are too many", order + more);
             return self.fail(Diagnostic::error("order-too-high", wrong, self.span()));
         }
         self.advance();
@@ -68,15 +64,8 @@ impl Cursor<'_> {
     }
 
     fn prime_after(&mut self) -> Read<Tree> {
-        let diagnostic = Diagnostic::error(
-            "prime-after-expression",
-            words("a prime belongs to a name", "una prima va unida a un nombre"),
-            self.span(),
-        )
-        .with_hint(words(
-            "give the vector a name (d = ...) and write d'",
-            "da un nombre al vector (d = ...) y escribe d'",
-        ));
+        let diagnostic = Diagnostic::error("prime-after-expression", words("a prime belongs to a name"), self.span())
+            .with_hint(words("give the vector a name (d = ...) and write d'"));
         self.fail(diagnostic)
     }
 
@@ -85,13 +74,9 @@ impl Cursor<'_> {
     pub(in crate::parser) fn component_at_start(&mut self, left: &Expression) -> bool {
         let ExpressionKind::Component { of, .. } = &left.kind else { return false };
         let ExpressionKind::Member { at_start: true, .. } = &of.kind else { return false };
-        let wrong = words(
-            "the value at the start is given for the vector as a whole",
-            "el valor inicial se da para el vector completo",
-        );
+        let wrong = words("the value at the start is given for the vector as a whole");
         self.say(
-            Diagnostic::error("component-at-start", wrong, left.span)
-                .with_hint(words("such as: r[1](0) = (0, 1) [m]", "por ejemplo: r[1](0) = (0, 1) [m]")),
+            Diagnostic::error("component-at-start", wrong, left.span).with_hint(words("such as: r[1](0) = (0, 1) [m]")),
         );
         true
     }

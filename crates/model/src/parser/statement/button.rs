@@ -7,8 +7,7 @@ use crate::{BinaryOperator, Diagnostic, EventExtras, Expression, Span, Statement
 use units::{Words, words};
 
 /// Form of a button statement, for hints.
-pub(in crate::parser) const BUTTON_FORM: Words =
-    words("the form is: button \"TITLE\" { y' = EXPRESSION }", "la forma es: button \"TÍTULO\" { y' = EXPRESIÓN }");
+pub(in crate::parser) const BUTTON_FORM: Words = words("the form is: button \"TITLE\" { y' = EXPRESSION }");
 
 impl Cursor<'_> {
     /// True at `button` followed by a text or a name.
@@ -22,14 +21,13 @@ impl Cursor<'_> {
         let Some(title) = self.label() else {
             let wrong = words!(
                 "the title of the button is expected here in quotation marks, not {found}",
-                "aquí se espera el título del botón entre comillas, no {found}",
                 found = self.found()
             );
             let told = self.fail(Diagnostic::error("button-title", wrong, self.span()).with_hint(BUTTON_FORM));
             return (nothing(start), told);
         };
         if title.text.trim().is_empty() {
-            let wrong = words("the button has no title", "el botón no tiene título");
+            let wrong = words("the button has no title");
             self.say(Diagnostic::error("button-title", wrong, title.span).with_hint(BUTTON_FORM));
         }
         let condition = never(title.span);
@@ -46,24 +44,15 @@ impl Cursor<'_> {
             return;
         };
         if let Some(over) = statement.over.first() {
-            let wrong = words(
-                "a button stands for itself, not for each index",
-                "un botón vale por sí mismo, no por cada índice",
+            let wrong = words("a button stands for itself, not for each index");
+            self.say(
+                Diagnostic::error("button-for", wrong, over.index.span)
+                    .with_hint(words("its actions may have `for`: `x[i]' = 0 [m/s] for i in 1..N`")),
             );
-            self.say(Diagnostic::error("button-for", wrong, over.index.span).with_hint(words(
-                "its actions may have `for`: `x[i]' = 0 [m/s] for i in 1..N`",
-                "sus acciones pueden llevar `for`: `x[i]' = 0 [m/s] for i in 1..N`",
-            )));
         }
         if let Some(label) = &statement.label {
-            let wrong = words(
-                "a button has one title, before the braces",
-                "un botón tiene un solo título, antes de las llaves",
-            );
-            self.say(
-                Diagnostic::error("button-title", wrong, label.span)
-                    .with_label(title.span, words("the title", "el título")),
-            );
+            let wrong = words("a button has one title, before the braces");
+            self.say(Diagnostic::error("button-title", wrong, label.span).with_label(title.span, words("the title")));
         }
     }
 }

@@ -6,10 +6,7 @@ use crate::parser::cursor::{Cursor, Read, Told};
 use crate::{Alternative, ChoiceStatement, ChosenValue, Diagnostic, Quoted, StatementKind};
 use units::{Words, words};
 
-const FORM: Words = words(
-    "the form is: choice NAME { \"TEXT\": NAME = EXPRESSION }",
-    "la forma es: choice NOMBRE { \"TEXTO\": NOMBRE = EXPRESIÓN }",
-);
+const FORM: Words = words("the form is: choice NAME { \"TEXT\": NAME = EXPRESSION }");
 
 impl Cursor<'_> {
     /// True at `choice NAME`.
@@ -20,7 +17,7 @@ impl Cursor<'_> {
     /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3], eta = 1 [mPa s] }`
     pub(in crate::parser) fn choice(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a choice", "una elección")) {
+        let name = match self.plain_name(&words("a choice")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -40,13 +37,13 @@ impl Cursor<'_> {
             self.skip_separators();
             if let Some(end) = self.take(Symbol::RightBrace) {
                 if choice.alternatives.is_empty() && !wrong {
-                    let empty = words("there is nothing to choose from", "no hay nada que elegir");
+                    let empty = words("there is nothing to choose from");
                     self.say(Diagnostic::error("choice-form", empty, open.to(end)).with_hint(FORM));
                 }
                 return Ok(());
             }
             if *self.peek() == TokenKind::End {
-                let unclosed = words("this `{` is not closed", "esta `{` no se cierra");
+                let unclosed = words("this `{` is not closed");
                 return self.fail(Diagnostic::error("unclosed-brace", unclosed, open).with_hint(FORM));
             }
             match self.alternative() {
@@ -72,20 +69,12 @@ impl Cursor<'_> {
     fn alternative(&mut self) -> Read<Alternative> {
         let span = self.span();
         let TokenKind::Text(text) = self.peek().clone() else {
-            let wrong = words!(
-                "the text of an alternative is expected here, not {found}",
-                "aquí se espera el texto de una alternativa, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("the text of an alternative is expected here, not {found}", found = self.found());
             return self.fail(Diagnostic::error("choice-form", wrong, span).with_hint(FORM));
         };
         self.advance();
         if self.take(Symbol::Colon).is_none() {
-            let wrong = words!(
-                "`:` is expected after the text of an alternative, not {found}",
-                "después del texto de una alternativa se espera `:`, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("`:` is expected after the text of an alternative, not {found}", found = self.found());
             let place = if self.at_line_end() { span } else { self.span() };
             return self.fail(Diagnostic::error("choice-form", wrong, place).with_hint(FORM));
         }
@@ -110,13 +99,9 @@ impl Cursor<'_> {
         if hidden {
             self.advance();
         }
-        let name = self.plain_name(&words("a quantity", "una magnitud"))?;
+        let name = self.plain_name(&words("a quantity"))?;
         if self.take(Symbol::Equals).is_none() {
-            let wrong = words!(
-                "`=` and a value are expected after `{}`",
-                "después de `{}` se esperan `=` y un valor",
-                name.text
-            );
+            let wrong = words!("`=` and a value are expected after `{}`", name.text);
             return self.fail(Diagnostic::error("missing-equals", wrong, name.span));
         }
         self.depth = 0;

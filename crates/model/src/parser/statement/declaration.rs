@@ -14,7 +14,7 @@ impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
     pub(in crate::parser) fn parameter(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a parameter", "un parámetro")) {
+        let name = match self.plain_name(&words("a parameter")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -35,17 +35,9 @@ impl Cursor<'_> {
 
     fn parameter_parts(&mut self, parameter: &mut ParameterStatement) -> Read<()> {
         if self.take(Symbol::Equals).is_none() {
-            let wrong = words!(
-                "the parameter `{}` needs a default value",
-                "el parámetro `{}` necesita un valor predeterminado",
-                parameter.name.text
-            );
+            let wrong = words!("the parameter `{}` needs a default value", parameter.name.text);
             let diagnostic = Diagnostic::error("parameter-without-value", wrong, parameter.name.span);
-            return self.fail(diagnostic.with_hint(words!(
-                "such as: parameter {} = 1",
-                "por ejemplo: parameter {} = 1",
-                parameter.name.text
-            )));
+            return self.fail(diagnostic.with_hint(words!("such as: parameter {} = 1", parameter.name.text)));
         }
         let start = self.span();
         let value = self.signed_number().map(|value| self.divided(value));
@@ -61,24 +53,15 @@ impl Cursor<'_> {
         );
         let Some(value) = value.filter(|_| !goes_on) else {
             let place = if self.at_line_end() && self.span() == start { self.last_span() } else { start };
-            let wrong = words!(
-                "the default of the parameter `{}` must be a number",
-                "el valor predeterminado del parámetro `{}` debe ser un número",
-                parameter.name.text
-            );
+            let wrong = words!("the default of the parameter `{}` must be a number", parameter.name.text);
             let is_vector = *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) && value.is_none();
             let hint = if is_vector {
                 words!(
                     "a vector is defined from parameters that are numbers: {0} = ({0}_x, {0}_y)",
-                    "un vector se define a partir de parámetros que son números: {0} = ({0}_x, {0}_y)",
                     parameter.name.text
                 )
             } else {
-                words!(
-                    "a value that is computed is a definition: {} = ...",
-                    "un valor que se calcula es una definición: {} = ...",
-                    parameter.name.text
-                )
+                words!("a value that is computed is a definition: {} = ...", parameter.name.text)
             };
             return self.fail(Diagnostic::error("parameter-value", wrong, place).with_hint(hint));
         };
@@ -114,7 +97,7 @@ impl Cursor<'_> {
         let low = self.signed_number();
         let (end, to) = (self.last_span().end, self.span());
         let is_to = self.at_range_word();
-        let wrong = words("a range is not written with words", "un intervalo no se escribe con palabras");
+        let wrong = words("a range is not written with words");
         let diagnostic = Diagnostic::error("parameter-range", wrong, from).with_hint(range_form());
         self.advance();
         let high = self.span();
@@ -155,14 +138,10 @@ impl Cursor<'_> {
     fn step(&mut self) -> Read<f64> {
         let start = self.advance();
         let Some(step) = self.signed_number() else {
-            let wrong = words!(
-                "after `step` a number is expected, not {found}",
-                "después de `step` se espera un número, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("after `step` a number is expected, not {found}", found = self.found());
             return self.fail(Diagnostic::error("parameter-step", wrong, start));
         };
-        self.refuse_unit(&words("a step", "un paso"))?;
+        self.refuse_unit(&words("a step"))?;
         Ok(step)
     }
 
@@ -170,36 +149,25 @@ impl Cursor<'_> {
     pub(in crate::parser) fn bounds(&mut self, keyword: Span) -> Read<Bounds> {
         let start = self.span();
         if let TokenKind::Brackets(_) = self.peek() {
-            let wrong = words(
-                "after the `in` of a parameter its range is expected, not a unit",
-                "después del `in` de un parámetro se espera su intervalo, no una unidad",
-            );
-            let hint = words(
-                "write the unit directly after the number, without `in`",
-                "escribe la unidad justo después del número, sin `in`",
-            );
+            let wrong = words("after the `in` of a parameter its range is expected, not a unit");
+            let hint = words("write the unit directly after the number, without `in`");
             return self.fail(Diagnostic::error("parameter-range", wrong, start).with_hint(hint));
         }
         let form = range_form();
         let Some(low) = self.signed_number() else {
             let wrong = words!(
                 "after the `{word}` of a parameter its range is expected, not {found}",
-                "después del `{word}` de un parámetro se espera su intervalo, no {found}",
                 word = Words::same(self.source[keyword.range()].to_owned()),
                 found = self.found()
             );
             return self.fail(Diagnostic::error("parameter-range", wrong, keyword).with_hint(form.clone()));
         };
-        self.refuse_unit(&words("a range", "un intervalo"))?;
+        self.refuse_unit(&words("a range"))?;
         if self.take(Symbol::Dots).is_none() {
             if *self.peek() == TokenKind::Symbol(Symbol::Comma) && self.is_between_digits(self.span()) {
                 return self.decimal_comma();
             }
-            let wrong = words!(
-                "`..` is expected in this range, not {found}",
-                "en este intervalo se espera `..`, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("`..` is expected in this range, not {found}", found = self.found());
             let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
             let diagnostic = Diagnostic::error("parameter-range", wrong, place).with_hint(form.clone());
             let is_separator = self.at_range_word()
@@ -211,12 +179,12 @@ impl Cursor<'_> {
             return self.fail(if meant { diagnostic.with_fix(place, "..") } else { diagnostic });
         }
         let Some(high) = self.signed_number() else {
-            let wrong = words("this range has no upper end", "este intervalo no tiene extremo superior");
+            let wrong = words("this range has no upper end");
             return self
                 .fail(Diagnostic::error("parameter-range", wrong, start.to(self.last_span())).with_hint(form.clone()));
         };
         let span = start.to(self.last_span());
-        self.refuse_unit(&words("a range", "un intervalo"))?;
+        self.refuse_unit(&words("a range"))?;
         Ok(Bounds { low, high, span })
     }
 
@@ -224,11 +192,7 @@ impl Cursor<'_> {
         let TokenKind::Brackets(_) = self.peek() else {
             return Ok(());
         };
-        let wrong = words!(
-            "{what} is given in the parameter's own unit, without brackets",
-            "{what} se da en la unidad del propio parámetro, sin corchetes",
-            what = what
-        );
+        let wrong = words!("{what} is given in the parameter's own unit, without brackets");
         let place = self.span();
         self.say(Diagnostic::error("unit-in-range", wrong, place));
         self.advance();
@@ -261,7 +225,7 @@ impl Cursor<'_> {
     /// `independent x in [m]`
     pub(in crate::parser) fn independent(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("the independent variable", "la variable independiente")) {
+        let name = match self.plain_name(&words("the independent variable")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -292,13 +256,9 @@ impl Cursor<'_> {
     }
 
     fn assignment(&mut self, assignments: &mut Vec<Assignment>) -> Read<()> {
-        let name = self.plain_name(&words("a parameter", "un parámetro"))?;
+        let name = self.plain_name(&words("a parameter"))?;
         if self.take(Symbol::Equals).is_none() {
-            let wrong = words!(
-                "`=` and a value are expected after `{}`",
-                "después de `{}` se esperan `=` y un valor",
-                name.text
-            );
+            let wrong = words!("`=` and a value are expected after `{}`", name.text);
             return self.fail(Diagnostic::error("missing-equals", wrong, name.span));
         }
         let read = self.expression();
@@ -330,8 +290,5 @@ impl Cursor<'_> {
 
 /// Form of a range, for hints.
 fn range_form() -> Words {
-    words(
-        "a range is written LOW..HIGH, such as: in 0..30",
-        "un intervalo se escribe MÍNIMO..MÁXIMO, por ejemplo: in 0..30",
-    )
+    words("a range is written LOW..HIGH, such as: in 0..30")
 }

@@ -17,7 +17,7 @@ impl Cursor<'_> {
     /// `discrete n = 0 in [cm]`
     pub(in crate::parser) fn discrete(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a discrete quantity", "una magnitud discreta")) {
+        let name = match self.plain_name(&words("a discrete quantity")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -45,17 +45,9 @@ impl Cursor<'_> {
 
     fn value_at_the_start(&mut self, name: &Name, value: &mut Expression, unit: &mut Option<StatedUnit>) -> Read<()> {
         if self.take(Symbol::Equals).is_none() {
-            let wrong = words!(
-                "the discrete quantity `{}` needs a value at the start",
-                "la magnitud discreta `{}` necesita un valor al comienzo",
-                name.text
-            );
+            let wrong = words!("the discrete quantity `{}` needs a value at the start", name.text);
             let diagnostic = Diagnostic::error("discrete-without-value", wrong, name.span);
-            return self.fail(diagnostic.with_hint(words!(
-                "such as: discrete {} = 0",
-                "por ejemplo: discrete {} = 0",
-                name.text
-            )));
+            return self.fail(diagnostic.with_hint(words!("such as: discrete {} = 0", name.text)));
         }
         *value = self.expression()?.expression;
         *unit = self.stated_unit()?;

@@ -5,17 +5,10 @@ use crate::parser::cursor::{Cursor, Read};
 use crate::{Diagnostic, DrawnRange, StatedUnit};
 use units::{Words, words};
 
-const FORM: Words = words(
-    "the form is: table NAME(ARGUMENT) in [UNIT] drawn in LOW..HIGH until END [UNIT]",
-    "la forma es: table NOMBRE(ARGUMENTO) in [UNIDAD] drawn in MÍNIMO..MÁXIMO until FINAL [UNIDAD]",
-);
+const FORM: Words = words("the form is: table NAME(ARGUMENT) in [UNIT] drawn in LOW..HIGH until END [UNIT]");
 
-const RANGE: Words = words(
-    "`in` with the least and the greatest value is expected here",
-    "aquí se espera `in` con el valor mínimo y el máximo",
-);
-const END: Words =
-    words("`until` with the greatest argument is expected here", "aquí se espera `until` con el argumento máximo");
+const RANGE: Words = words("`in` with the least and the greatest value is expected here");
+const END: Words = words("`until` with the greatest argument is expected here");
 
 impl Cursor<'_> {
     /// `drawn in -5..5 from 0 [s] until 10 [s]`. The unit of the arguments stands after the first of them.
@@ -52,8 +45,7 @@ impl Cursor<'_> {
     }
 
     fn not_drawn<T>(&mut self, expected: Words) -> Read<T> {
-        let wrong =
-            words!("{expected}, not {found}", "{expected}, no {found}", expected = expected, found = self.found());
+        let wrong = words!("{expected}, not {found}", found = self.found());
         let place = if self.at_line_end() { self.last_span() } else { self.span() };
         self.fail(Diagnostic::error("table-form", wrong, place).with_hint(FORM))
     }

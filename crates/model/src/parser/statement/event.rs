@@ -9,8 +9,7 @@ use crate::parser::unread;
 use crate::{Action, Diagnostic, Edit, EventExtras, Span, StatementKind};
 use units::{Words, words};
 
-const EVENT_FORM: Words =
-    words("the form is: when CONDITION { y' = EXPRESSION }", "la forma es: when CONDICIÓN { y' = EXPRESIÓN }");
+const EVENT_FORM: Words = words("the form is: when CONDITION { y' = EXPRESSION }");
 
 impl Cursor<'_> {
     /// `when y < 0 [m] { y' = -e*y' }`
@@ -20,7 +19,7 @@ impl Cursor<'_> {
             Ok(tree) => tree.expression,
             Err(reported) => return (nothing(start), Err(reported)),
         };
-        self.refuse_equals(words("condition", "una condición"));
+        self.refuse_equals(words("condition"));
         let (mut actions, mut extras) = (Vec::new(), EventExtras::default());
         let mut read = self.event_name(&mut extras);
         if read.is_ok() {
@@ -39,7 +38,7 @@ impl Cursor<'_> {
         let form = if extras.button.is_some() { BUTTON_FORM } else { EVENT_FORM };
         let Some(open) = self.open_brace() else {
             let expected = self.brace_expected("missing-braces", self.last_span());
-            let mut expected = expected.with_label(start, words("of this event", "de este evento"));
+            let mut expected = expected.with_label(start, words("of this event"));
             if *self.peek() == TokenKind::Keyword(Keyword::Then) {
                 let then = self.span();
                 let line = self.source[then.end..].lines().next().unwrap_or_default();
@@ -62,10 +61,7 @@ impl Cursor<'_> {
                 TokenKind::End | TokenKind::Keyword(Keyword::Parameter | Keyword::Independent | Keyword::When)
             );
             if unclosed {
-                self.say(
-                    Diagnostic::error("unclosed-brace", words("this `{` is not closed", "esta `{` no se cierra"), open)
-                        .with_hint(form),
-                );
+                self.say(Diagnostic::error("unclosed-brace", words("this `{` is not closed"), open).with_hint(form));
                 self.back_to_line_end();
                 return Ok(());
             }
@@ -73,8 +69,8 @@ impl Cursor<'_> {
                 let nothing = actions.is_empty() && extras.stop.is_none() && extras.name.is_none();
                 if nothing && !wrong_actions {
                     let wrong = match extras.button {
-                        Some(_) => words("this button does nothing", "este botón no hace nada"),
-                        None => words("this event changes nothing", "este evento no cambia nada"),
+                        Some(_) => words("this button does nothing"),
+                        None => words("this event changes nothing"),
                     };
                     self.say(Diagnostic::error("empty-event", wrong, open.to(end)).with_hint(form));
                 }
@@ -116,11 +112,7 @@ impl Cursor<'_> {
     pub(in crate::parser) fn new_value(&mut self) -> Read<Action> {
         let span = self.span();
         let TokenKind::Name { text, order, end } = self.peek().clone() else {
-            let wrong = words!(
-                "an action such as y' = 0 [m/s] is expected here, not {found}",
-                "aquí se espera una acción como y' = 0 [m/s], no {found}",
-                found = self.found()
-            );
+            let wrong = words!("an action such as y' = 0 [m/s] is expected here, not {found}", found = self.found());
             return self.fail(Diagnostic::error("event-action", wrong, span));
         };
         self.advance();
@@ -134,14 +126,10 @@ impl Cursor<'_> {
         }
         if self.take(Symbol::Equals).is_none() {
             let diagnostic = if *self.peek() == TokenKind::Symbol(Symbol::LeftParenthesis) {
-                let wrong = words(
-                    "an action sets the value at the event, not the one at the start",
-                    "una acción fija el valor en el evento, no el inicial",
-                );
+                let wrong = words("an action sets the value at the event, not the one at the start");
                 Diagnostic::error("event-action", wrong, span)
             } else {
-                let wrong =
-                    words!("`=` is expected here, not {found}", "aquí se espera `=`, no {found}", found = self.found());
+                let wrong = words!("`=` is expected here, not {found}", found = self.found());
                 let place = if self.at_line_end() { span } else { self.span() };
                 Diagnostic::error("event-action", wrong, place)
             };
@@ -196,7 +184,7 @@ impl Cursor<'_> {
             return Ok(());
         }
         self.advance();
-        extras.name = Some(self.plain_name(&words("an event", "un evento"))?);
+        extras.name = Some(self.plain_name(&words("an event"))?);
         Ok(())
     }
 

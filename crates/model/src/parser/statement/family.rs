@@ -23,7 +23,7 @@ impl Cursor<'_> {
     /// `size N = 20 in 2..200`
     pub(in crate::parser) fn size(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a size", "un tamaño")) {
+        let name = match self.plain_name(&words("a size")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -40,17 +40,13 @@ impl Cursor<'_> {
         let whole = value.filter(|value| value.fract() == 0.0 && *value >= 0.0);
         let Some(value) = whole else {
             let place = if self.at_line_end() && self.span() == place { self.last_span() } else { place };
-            let wrong = words!(
-                "the size `{}` must be a whole number",
-                "el tamaño `{}` debe ser un número entero",
-                size.name.text
-            );
-            let hint = words!("such as: size {} = 20", "por ejemplo: size {} = 20", size.name.text);
+            let wrong = words!("the size `{}` must be a whole number", size.name.text);
+            let hint = words!("such as: size {} = 20", size.name.text);
             return self.fail(Diagnostic::error("size-value", wrong, place).with_hint(hint));
         };
         size.value_span = place.to(self.last_span());
         if value > f64::from(limits::MEMBERS) {
-            let wrong = words!("a size is at most {}", "un tamaño es como máximo {}", limits::MEMBERS);
+            let wrong = words!("a size is at most {}", limits::MEMBERS);
             self.say(Diagnostic::error("model-too-large", wrong, size.value_span));
             return Ok(());
         }
@@ -79,21 +75,16 @@ impl Cursor<'_> {
         }
         self.advance();
         loop {
-            let index = self.plain_name(&words("an index", "un índice"))?;
+            let index = self.plain_name(&words("an index"))?;
             self.take_keyword(Keyword::In);
             let low = self.expression()?.expression;
             if self.take(Symbol::Dots).is_none() {
-                let wrong = words!(
-                    "`..` is expected in this range, not {found}",
-                    "en este intervalo se espera `..`, no {found}",
-                    found = self.found()
-                );
+                let wrong = words!("`..` is expected in this range, not {found}", found = self.found());
                 let place = if self.at_line_end() { self.last_span().after() } else { self.span() };
-                return self.fail(Diagnostic::error("index-range", wrong, place).with_hint(words!(
-                    "the range of an index is written `for {} in 1..10`",
-                    "el intervalo de un índice se escribe `for {} in 1..10`",
-                    index.text
-                )));
+                return self.fail(
+                    Diagnostic::error("index-range", wrong, place)
+                        .with_hint(words!("the range of an index is written `for {} in 1..10`", index.text)),
+                );
             }
             let high = self.expression()?.expression;
             over.push(Over { index, low, high });
@@ -174,12 +165,11 @@ impl Cursor<'_> {
         let span = self.span();
         let order = self.source[span.range()].chars().filter_map(primes).sum();
         if order > limits::ORDER {
-            let wrong = words!("{order} primes are too many", "{order} primas son demasiadas");
-            return self.fail(Diagnostic::error("order-too-high", wrong, span).with_note(words!(
-                "derivatives up to the order {} are possible",
-                "se admiten derivadas hasta el orden {}",
-                limits::ORDER
-            )));
+            let wrong = words!("{order} primes are too many");
+            return self.fail(
+                Diagnostic::error("order-too-high", wrong, span)
+                    .with_note(words!("derivatives up to the order {} are possible", limits::ORDER)),
+            );
         }
         self.advance();
         Ok(order)
@@ -193,15 +183,11 @@ impl Cursor<'_> {
         let span = function.span.to(end);
         let is_known = REDUCTIONS.contains(&function.text.as_str());
         let Ok([body]) = <[Tree; 1]>::try_from(body) else {
-            let wrong = words("one expression stands before `for`", "antes de `for` va una sola expresión");
+            let wrong = words("one expression stands before `for`");
             return self.fail(Diagnostic::error("index-range", wrong, place));
         };
         if !is_known {
-            let wrong = words!(
-                "`for` cannot stand in `{}`; it belongs to sum, min and max",
-                "`for` no puede estar en `{}`; va con sum, min y max",
-                function.text
-            );
+            let wrong = words!("`for` cannot stand in `{}`; it belongs to sum, min and max", function.text);
             return self.fail(Diagnostic::error("index-range", wrong, place));
         }
         let height = body.height + 1;

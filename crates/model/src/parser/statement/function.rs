@@ -17,7 +17,7 @@ impl Cursor<'_> {
     /// `function Re(v, d) = rho*abs(v)*d/eta in [1]`
     pub(in crate::parser) fn function(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a function", "una función")) {
+        let name = match self.plain_name(&words("a function")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -29,27 +29,21 @@ impl Cursor<'_> {
 
     fn function_parts(&mut self, function: &mut FunctionStatement) -> Read<()> {
         let name = function.name.text.clone();
-        let form = words!("the form is: function {name}(x) = ...", "la forma es: function {name}(x) = ...");
+        let form = words!("the form is: function {name}(x) = ...");
         let Some(open) = self.take(Symbol::LeftParenthesis) else {
-            let wrong = words!(
-                "the arguments of the function `{name}` are expected here, not {found}",
-                "aquí se esperan los argumentos de la función `{name}`, no {found}",
-                found = self.found()
-            );
+            let wrong =
+                words!("the arguments of the function `{name}` are expected here, not {found}", found = self.found());
             let place = if self.at_line_end() { function.name.span } else { self.span() };
             return self.fail(Diagnostic::error("function-form", wrong, place).with_hint(form));
         };
         if *self.peek() == TokenKind::Symbol(Symbol::RightParenthesis) {
-            let wrong = words!("the function `{name}` has no argument", "la función `{name}` no tiene argumentos");
-            let hint = words!(
-                "what depends on nothing else is a definition: `{name} = ...`",
-                "lo que no depende de nada más es una definición: `{name} = ...`"
-            );
+            let wrong = words!("the function `{name}` has no argument");
+            let hint = words!("what depends on nothing else is a definition: `{name} = ...`");
             return self.fail(Diagnostic::error("function-form", wrong, open.to(self.span())).with_hint(hint));
         }
         let mut separators = Vec::new();
         loop {
-            function.parameters.push(self.plain_name(&words("an argument", "un argumento"))?);
+            function.parameters.push(self.plain_name(&words("an argument"))?);
             let separator = self.take(Symbol::Comma).or_else(|| self.take(Symbol::Semicolon));
             let Some(separator) = separator else { break };
             separators.push(separator);
@@ -57,11 +51,7 @@ impl Cursor<'_> {
         let end = self.close(open)?;
         self.check_separators(&function.name, &separators, end);
         if self.take(Symbol::Equals).is_none() {
-            let wrong = words!(
-                "`=` is expected after the arguments of `{name}`, not {found}",
-                "después de los argumentos de `{name}` se espera `=`, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("`=` is expected after the arguments of `{name}`, not {found}", found = self.found());
             let place = if self.at_line_end() { function.name.span } else { self.span() };
             return self.fail(Diagnostic::error("function-form", wrong, place).with_hint(form));
         }

@@ -6,7 +6,7 @@ use crate::parser::cursor::Cursor;
 use crate::{Diagnostic, Statement, StatementKind};
 use units::{Words, words};
 
-const GROUP_FORM: Words = words("the form is: group \"NAME\"", "la forma es: group \"NOMBRE\"");
+const GROUP_FORM: Words = words("the form is: group \"NAME\"");
 
 impl Cursor<'_> {
     /// True at `group`, followed by its name or by something that may be meant as one.
@@ -24,17 +24,14 @@ impl Cursor<'_> {
     pub(in crate::parser) fn group(&mut self) -> Salvaged {
         let start = self.advance();
         let Some(name) = self.label() else {
-            let wrong = words!(
-                "the name of the group is expected here in quotation marks, not {found}",
-                "aquí se espera el nombre del grupo entre comillas, no {found}",
-                found = self.found()
-            );
+            let wrong =
+                words!("the name of the group is expected here in quotation marks, not {found}", found = self.found());
             let place = if self.at_line_end() { start } else { self.span() };
             let told = self.fail(Diagnostic::error("group-name", wrong, place).with_hint(GROUP_FORM));
             return (nothing(start), told);
         };
         if name.text.trim().is_empty() {
-            let wrong = words("the group has no name", "el grupo no tiene nombre");
+            let wrong = words("the group has no name");
             self.say(Diagnostic::error("group-name", wrong, name.span).with_hint(GROUP_FORM));
         }
         (StatementKind::Group(name), Ok(()))
@@ -45,7 +42,7 @@ impl Cursor<'_> {
         let StatementKind::Group(_) = &statement.kind else { return };
         let more = statement.over.first().map(|over| over.index.span);
         if let Some(more) = more.or(statement.label.as_ref().map(|label| label.span)) {
-            let wrong = words("a group has a name and nothing else", "un grupo tiene un nombre y nada más");
+            let wrong = words("a group has a name and nothing else");
             self.say(Diagnostic::error("group-name", wrong, more).with_hint(GROUP_FORM));
         }
     }

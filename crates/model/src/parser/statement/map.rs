@@ -16,22 +16,18 @@ impl Cursor<'_> {
         }
         let start = self.advance();
         if let Some(unit) = unit {
-            let wrong = words("what counts has no unit", "lo que cuenta no tiene unidad");
+            let wrong = words("what counts has no unit");
             let diagnostic = Diagnostic::error("counts-by", wrong, unit.span);
-            return self.fail(diagnostic.with_hint(words("leave it out: `by 1`", "omítela: `by 1`")));
+            return self.fail(diagnostic.with_hint(words("leave it out: `by 1`")));
         }
         let ends = matches!(self.peek_ahead(1), TokenKind::Newline | TokenKind::End | TokenKind::Text(_));
         if *self.peek() == TokenKind::Number(1.0) && ends {
             self.advance();
             return Ok(true);
         }
-        let wrong = words!(
-            "an independent variable counts by 1, not by {found}",
-            "una variable independiente cuenta por 1, no por {found}",
-            found = self.found()
-        );
+        let wrong = words!("an independent variable counts by 1, not by {found}", found = self.found());
         let place = if self.at_line_end() { start } else { self.span() };
-        self.fail(Diagnostic::error("counts-by", wrong, place).with_hint(words("write `by 1`", "escribe `by 1`")))
+        self.fail(Diagnostic::error("counts-by", wrong, place).with_hint(words("write `by 1`")))
     }
 
     /// True if a name and `(` follow.
@@ -49,16 +45,15 @@ impl Cursor<'_> {
         let start = self.advance();
         if self.is_at_the_start() {
             let place = start.to(self.span());
-            let wrong = words("the value at the start is given without `next`", "el valor inicial se da sin `next`");
-            let hint = words("such as: p(0) = 0.1", "por ejemplo: p(0) = 0.1");
+            let wrong = words("the value at the start is given without `next`");
+            let hint = words("such as: p(0) = 0.1");
             return (nothing(start), self.fail(Diagnostic::error("next-value", wrong, place).with_hint(hint)));
         }
         if !matches!(self.peek_ahead(1), TokenKind::Symbol(Symbol::Equals) | TokenKind::Brackets(_)) {
             self.advance();
-            let wrong =
-                words!("`=` is expected here, not {found}", "aquí se espera `=`, no {found}", found = self.found());
+            let wrong = words!("`=` is expected here, not {found}", found = self.found());
             let place = if self.at_line_end() { start.to(self.last_span()) } else { self.span() };
-            let hint = words("such as: next p = 3.2*p*(1 - p)", "por ejemplo: next p = 3.2*p*(1 - p)");
+            let hint = words("such as: next p = 3.2*p*(1 - p)");
             return (nothing(start), self.fail(Diagnostic::error("next-value", wrong, place).with_hint(hint)));
         }
         let action = match self.new_value() {

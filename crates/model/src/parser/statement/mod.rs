@@ -62,7 +62,7 @@ impl Cursor<'_> {
         }
         let (kind, mut read) = match self.peek() {
             TokenKind::Keyword(_) if *self.peek_ahead(1) == TokenKind::Symbol(Symbol::Equals) => {
-                (nothing(start), self.plain_name(&words("a quantity", "una magnitud")).map(|_| ()))
+                (nothing(start), self.plain_name(&words("a quantity")).map(|_| ()))
             }
             TokenKind::Name { .. } if self.is_discrete() => self.discrete(),
             TokenKind::Name { .. } if self.is_function() => self.function(),
@@ -121,12 +121,8 @@ impl Cursor<'_> {
         }
         let wrong = words(
             "only a parameter, a definition, a discrete quantity or an unknown with its initial value can be hidden",
-            "solo se puede ocultar un parámetro, una definición, una magnitud discreta o una incógnita con su valor inicial",
         );
-        self.say(
-            Diagnostic::error("hidden-form", wrong, hidden)
-                .with_hint(words("such as: hidden m = rho*L", "por ejemplo: hidden m = rho*L")),
-        );
+        self.say(Diagnostic::error("hidden-form", wrong, hidden).with_hint(words("such as: hidden m = rho*L")));
     }
 
     /// The keyword that was probably meant, if a statement begins with two names.
@@ -140,30 +136,19 @@ impl Cursor<'_> {
     }
 
     fn unknown_word(&mut self) -> Read<()> {
-        let wrong = words!(
-            "{found} is not a word of the language",
-            "{found} no es una palabra del lenguaje",
-            found = self.found()
-        );
+        let wrong = words!("{found} is not a word of the language", found = self.found());
         let diagnostic = Diagnostic::error("unknown-word", wrong, self.span());
         let meant = self.meant_word().unwrap_or_default();
         self.fail(diagnostic.meaning(meant))
     }
 
     fn no_loop<T>(&mut self) -> Read<T> {
-        let wrong = words(
-            "there are no loops: what `for` is stated for stands before it",
-            "no hay bucles: lo que se enuncia con `for` va delante",
-        );
+        let wrong = words("there are no loops: what `for` is stated for stands before it");
         self.fail(
             Diagnostic::error("foreign-loop", wrong, self.span())
-                .with_hint(words(
-                    "the members of a family: `x[i] = i*a for i in 1..N`",
-                    "los miembros de una familia: `x[i] = i*a for i in 1..N`",
-                ))
+                .with_hint(words("the members of a family: `x[i] = i*a for i in 1..N`"))
                 .with_hint(words(
                     "a sum: `sum(x[i] for i in 1..N)`; something at equal intervals: `every 0.1 [s] { ... }`",
-                    "una suma: `sum(x[i] for i in 1..N)`; algo a intervalos iguales: `every 0.1 [s] { ... }`",
                 )),
         )
     }
@@ -225,10 +210,7 @@ impl Cursor<'_> {
                     && outcome.is_ok()
                 {
                     let name = &function.text;
-                    let wrong = words!(
-                        "the start is at 0: a value is given for {name}(0) only",
-                        "el inicio está en 0: solo se da un valor para {name}(0)"
-                    );
+                    let wrong = words!("the start is at 0: a value is given for {name}(0) only");
                     self.say(Diagnostic::error("initial-value-not-at-zero", wrong, *span));
                     outcome = Err(Told);
                 }
@@ -250,35 +232,24 @@ impl Cursor<'_> {
             let place = first.span.after();
             let sign = self.source[first.span.end..span.end].find("==").map(|at| first.span.end + at);
             let place = sign.map_or(place, |at| Span::new(at, at + 2));
-            let wrong = words(
-                "`==` compares; an equation is written with one `=`",
-                "`==` compara; una ecuación se escribe con un solo `=`",
-            );
+            let wrong = words("`==` compares; an equation is written with one `=`");
             return self.fail(Diagnostic::error("missing-equals", wrong, place).with_fix(place, "="));
         }
         if !self.at_line_end() && !matches!(self.peek(), TokenKind::Text(_)) {
             return self.unexpected_after_expression();
         }
-        let mut diagnostic = Diagnostic::error(
-            "missing-equals",
-            words("this is an expression, but not a statement", "esto es una expresión, pero no una sentencia"),
-            span,
-        );
+        let mut diagnostic =
+            Diagnostic::error("missing-equals", words("this is an expression, but not a statement"), span);
         diagnostic = if self.next_line_continues() {
             let end = self.last_span().after();
             // The next line belongs to the same mistake.
             self.advance();
-            diagnostic
-                .with_label(end, words("the statement ends with its line", "la sentencia termina con su línea"))
-                .with_hint(words(
-                    "to go on with the next line, end this one with the operator, or put all into parentheses",
-                    "para continuar en la línea siguiente, termina esta con el operador o ponlo todo entre paréntesis",
-                ))
+            diagnostic.with_label(end, words("the statement ends with its line")).with_hint(words(
+                "to go on with the next line, end this one with the operator, or put all into parentheses",
+            ))
         } else {
-            let diagnostic = diagnostic.with_hint(words(
-                "a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT",
-                "una definición se escribe NOMBRE = EXPRESIÓN; una ecuación, IZQUIERDA = DERECHA",
-            ));
+            let diagnostic =
+                diagnostic.with_hint(words("a definition is written NAME = EXPRESSION, an equation LEFT = RIGHT"));
             let is_rate = self.source[span.range()].contains(|c| units::alphabet::primes(c).is_some());
             if is_rate { diagnostic.with_fix(span.after(), " = 0") } else { diagnostic }
         };
@@ -300,24 +271,15 @@ impl Cursor<'_> {
         match self.peek() {
             TokenKind::Name { order: 0, .. } => Ok(Name { text: self.take_text(), span }),
             TokenKind::Name { .. } => {
-                let wrong = words!("{what} cannot have a prime", "{what} no puede llevar prima", what = what);
+                let wrong = words!("{what} cannot have a prime");
                 self.fail(Diagnostic::error("unexpected-token", wrong, span))
             }
             TokenKind::Keyword(_) => {
-                let wrong = words!(
-                    "{found} is a word of the language and cannot be a name",
-                    "{found} es una palabra del lenguaje y no puede ser un nombre",
-                    found = self.found()
-                );
+                let wrong = words!("{found} is a word of the language and cannot be a name", found = self.found());
                 self.fail(Diagnostic::error("reserved-word", wrong, span))
             }
             _ => {
-                let wrong = words!(
-                    "the name of {what} is expected here, not {found}",
-                    "aquí se espera el nombre de {what}, no {found}",
-                    what = what,
-                    found = self.found()
-                );
+                let wrong = words!("the name of {what} is expected here, not {found}", found = self.found());
                 let place = if self.at_line_end() { self.last_span() } else { span };
                 self.fail(Diagnostic::error("missing-name", wrong, place))
             }

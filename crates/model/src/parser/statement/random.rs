@@ -24,16 +24,8 @@ impl Cursor<'_> {
             let whole = |number: f64| number.floor() == number && (0.0..=GREATEST).contains(&number);
             let fits = bounds.chain([seed.value]).chain(seed.step).all(whole) && seed.unit.is_none();
             if read.is_ok() && !fits {
-                let wrong = words!(
-                    "the seed `{}` is a whole number without a unit",
-                    "la semilla `{}` es un número entero sin unidad",
-                    seed.name.text
-                );
-                let hint = words!(
-                    "such as: random {} = 1 in 1..9999",
-                    "por ejemplo: random {} = 1 in 1..9999",
-                    seed.name.text
-                );
+                let wrong = words!("the seed `{}` is a whole number without a unit", seed.name.text);
+                let hint = words!("such as: random {} = 1 in 1..9999", seed.name.text);
                 read = self.fail(Diagnostic::error("seed", wrong, seed.value_span).with_hint(hint));
             }
         }

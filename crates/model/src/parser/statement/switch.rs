@@ -21,7 +21,7 @@ impl Cursor<'_> {
     /// `switch drag = on`
     pub(in crate::parser) fn switch(&mut self) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a switch", "un interruptor")) {
+        let name = match self.plain_name(&words("a switch")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -52,12 +52,9 @@ impl Cursor<'_> {
         };
         let Some(value) = value else {
             let name = &switch.name.text;
-            let wrong = words!(
-                "the switch `{name}` is `on` or `off` at the start",
-                "el interruptor `{name}` está al comienzo en `on` o en `off`"
-            );
+            let wrong = words!("the switch `{name}` is `on` or `off` at the start");
             let place = if self.at_line_end() || !equals { switch.name.span } else { self.span() };
-            let hint = words!("such as: `switch {name} = on`", "por ejemplo: `switch {name} = on`");
+            let hint = words!("such as: `switch {name} = on`");
             return self.fail(Diagnostic::error("switch-value", wrong, place).with_hint(hint));
         };
         switch.value = value;

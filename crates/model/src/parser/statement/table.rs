@@ -8,10 +8,7 @@ use crate::{Diagnostic, Point, StatedUnit, StatementKind, TableStatement, limits
 use program::Course;
 use units::{Unit, Words, words};
 
-const FORM: Words = words(
-    "the form is: table NAME(ARGUMENT) in [UNIT] { X [UNIT] Y  X Y ... }",
-    "la forma es: table NOMBRE(ARGUMENTO) in [UNIDAD] { X [UNIDAD] Y  X Y ... }",
-);
+const FORM: Words = words("the form is: table NAME(ARGUMENT) in [UNIT] { X [UNIT] Y  X Y ... }");
 
 impl Cursor<'_> {
     /// True at `table NAME`, `smooth table NAME` or `steps table NAME`. The words are reserved only there.
@@ -36,7 +33,7 @@ impl Cursor<'_> {
         if course != Course::Linear {
             start = self.advance();
         }
-        let name = match self.plain_name(&words("a table", "una tabla")) {
+        let name = match self.plain_name(&words("a table")) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
@@ -57,17 +54,14 @@ impl Cursor<'_> {
     fn table_parts(&mut self, table: &mut TableStatement, whole: bool) -> Read<()> {
         let Some(open) = self.take(Symbol::LeftParenthesis) else {
             let name = &table.name.text;
-            let wrong = words!(
-                "the argument of the table `{name}` is expected here, not {found}",
-                "aquí se espera el argumento de la tabla `{name}`, no {found}",
-                found = self.found()
-            );
+            let wrong =
+                words!("the argument of the table `{name}` is expected here, not {found}", found = self.found());
             let place = if self.at_line_end() { table.name.span } else { self.span() };
             return self.fail(Diagnostic::error("table-form", wrong, place).with_hint(FORM));
         };
-        table.argument = self.plain_name(&words("an argument", "un argumento"))?;
+        table.argument = self.plain_name(&words("an argument"))?;
         if *self.peek() == TokenKind::Symbol(Symbol::Comma) {
-            let wrong = words("a table has one argument", "una tabla tiene un solo argumento");
+            let wrong = words("a table has one argument");
             return self.fail(Diagnostic::error("table-form", wrong, self.span()).with_hint(FORM));
         }
         self.close(open)?;
@@ -88,7 +82,7 @@ impl Cursor<'_> {
             self.skip_separators();
             if *self.peek() == TokenKind::End {
                 let Some(open) = brace else { return Ok(()) };
-                let unclosed = words("this `{` is not closed", "esta `{` no se cierra");
+                let unclosed = words("this `{` is not closed");
                 return self.fail(Diagnostic::error("unclosed-brace", unclosed, open).with_hint(FORM));
             }
             if brace.is_some() && self.take(Symbol::RightBrace).is_some() {
@@ -117,14 +111,8 @@ impl Cursor<'_> {
         let start = self.span();
         let x = self.table_number(&mut table.argument_unit, table.points.is_empty())?;
         if let TokenKind::Symbol(Symbol::Comma) = self.peek() {
-            let wrong = words(
-                "the two numbers of a point are separated by a blank, not by a comma",
-                "los dos números de un punto se separan con un espacio, no con una coma",
-            );
-            let hint = words(
-                "points may be separated by commas, and numbers have a decimal point: `0 1.5, 2 3.5`",
-                "los puntos pueden separarse con comas, y los números llevan punto decimal: `0 1.5, 2 3.5`",
-            );
+            let wrong = words("the two numbers of a point are separated by a blank, not by a comma");
+            let hint = words("points may be separated by commas, and numbers have a decimal point: `0 1.5, 2 3.5`");
             return self.fail(Diagnostic::error("table-comma", wrong, self.span()).with_hint(hint));
         }
         let missing = matches!(
@@ -133,8 +121,7 @@ impl Cursor<'_> {
         );
         if missing {
             let argument = &table.argument.text;
-            let wrong =
-                words!("this {argument} has no value behind it", "detrás de este {argument} no hay ningún valor");
+            let wrong = words!("this {argument} has no value behind it");
             return self.fail(Diagnostic::error("table-form", wrong, start.to(self.last_span())).with_hint(FORM));
         }
         let y = self.table_number(&mut table.unit, table.points.is_empty())?;
@@ -151,11 +138,7 @@ impl Cursor<'_> {
     pub(in crate::parser) fn table_number(&mut self, column: &mut Option<StatedUnit>, first: bool) -> Read<f64> {
         let start = self.span();
         let Some(value) = self.signed_number() else {
-            let wrong = words!(
-                "a number is expected here, not {found}",
-                "aquí se espera un número, no {found}",
-                found = self.found()
-            );
+            let wrong = words!("a number is expected here, not {found}", found = self.found());
             return self.fail(Diagnostic::error("table-form", wrong, start).with_hint(FORM));
         };
         let TokenKind::Brackets(inside) = self.peek().clone() else {
@@ -169,20 +152,11 @@ impl Cursor<'_> {
         let expected = column.as_ref().map_or_else(Unit::dimensionless, |stated| stated.unit.clone());
         if unit.dimension != expected.dimension {
             let wrong = if column.is_none() {
-                words(
-                    "the first numbers of this column have no unit",
-                    "los primeros números de esta columna no llevan unidad",
-                )
+                words("the first numbers of this column have no unit")
             } else {
-                words!(
-                    "[{unit}] is no unit for this column, whose numbers are in [{expected}]",
-                    "[{unit}] no es una unidad para esta columna, cuyos números están en [{expected}]",
-                )
+                words!("[{unit}] is no unit for this column, whose numbers are in [{expected}]",)
             };
-            let hint = words(
-                "the unit of a column stands behind its first number",
-                "la unidad de una columna va detrás de su primer número",
-            );
+            let hint = words("the unit of a column stands behind its first number");
             return self.fail(Diagnostic::error("dimension-mismatch", wrong, span).with_hint(hint));
         }
         Ok(if unit == expected { value } else { expected.from_si(unit.to_si(value)) })

@@ -26,8 +26,14 @@ impl Catalogue {
             let labels = found.labels.iter().map(|label| &label.text).filter(|text| !text.is_empty());
             for words in [&found.message].into_iter().chain(labels).chain(&found.notes).chain(&found.hints) {
                 self.problems.extend(problem(words).map(|problem| format!("{problem}: {words:?}")));
-                if self.seen.insert((words.english.to_string(), words.spanish.to_string())) {
-                    for (tag, text) in [("en", &words.english), ("es", &words.spanish)] {
+                if self
+                    .seen
+                    .insert((words.english(), words.text(catalogues::with(units::Language::Spanish)).to_string()))
+                {
+                    for (tag, text) in [
+                        ("en", words.english()),
+                        ("es", words.text(catalogues::with(units::Language::Spanish)).into_owned()),
+                    ] {
                         self.text
                             .extend(text.lines().map(|line| format!("{tag}  {line}").trim_end().to_owned() + "\n"));
                     }
@@ -55,8 +61,9 @@ impl Catalogue {
 
 /// Fault of a text and its translation, or `None`.
 fn problem(words: &Words) -> Option<&'static str> {
-    let (english, spanish) = (Parts::of(&words.english), Parts::of(&words.spanish));
-    if words.english.is_empty() || spanish.words.is_empty() && !english.words.is_empty() {
+    let (english, spanish) =
+        (Parts::of(&words.english()), Parts::of(&words.text(catalogues::with(units::Language::Spanish))));
+    if words.english().is_empty() || spanish.words.is_empty() && !english.words.is_empty() {
         Some("there is no text")
     } else if english.quoted != spanish.quoted {
         Some("the names differ")

@@ -49,21 +49,21 @@ pub fn render(source: &str, diagnostics: &[Diagnostic]) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
         let severity = if diagnostic.severity == Severity::Error { "error" } else { "warning" };
-        text += &format!("{severity} [{}]: {}\n", diagnostic.code, diagnostic.message.english);
+        text += &format!("{severity} [{}]: {}\n", diagnostic.code, diagnostic.message.english());
         for label in &diagnostic.labels {
             let line = source[..label.span.start].matches('\n').count() + 1;
             let quoted = source[label.span.range()].replace('\n', " ");
-            let says = if label.text.is_empty() { String::new() } else { format!(": {}", label.text.english) };
+            let says = if label.text.is_empty() { String::new() } else { format!(": {}", label.text.english()) };
             text += &format!("  {line}: `{quoted}`{says}\n");
         }
-        for note in diagnostic.notes.iter().flat_map(|note| note.english.lines()) {
-            text += &format!("  | {note}\n");
+        for note in diagnostic.notes.iter().map(units::Words::english) {
+            text.extend(note.lines().map(|line| format!("  | {line}\n")));
         }
         for hint in &diagnostic.hints {
-            text += &format!("  hint: {}\n", hint.english);
+            text += &format!("  hint: {}\n", hint.english());
         }
         for fix in &diagnostic.fixes {
-            text += &format!("  fix: {}\n", fix.title(source).english.replace('\n', "\\n"));
+            text += &format!("  fix: {}\n", fix.title(source).english().replace('\n', "\\n"));
         }
     }
     text

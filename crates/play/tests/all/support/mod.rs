@@ -8,6 +8,7 @@ pub const UTUBE_ES: &str = include_str!("utube.es.md");
 
 /// Opens a document that must be without faults.
 pub fn open(source: &str, translations: &[&str]) -> Play {
+    catalogues::install();
     let opened = document::open(source, translations);
     assert!(opened.diagnostics.is_empty(), "{:#?}", opened.diagnostics);
     Play::open(opened.document.expect("a document without faults opens").program)

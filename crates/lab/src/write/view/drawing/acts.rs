@@ -51,7 +51,7 @@ pub fn begin(hand: Hand) {
 }
 
 /// Adds an element at the place of the last click, otherwise at the centre of the view; shifted if elements are there.
-pub fn add(hand: Hand, kind: Part) {
+pub fn add(hand: Hand, kind: &'static Part) {
     let Some(seen) = hand.seen.get_clone_untracked() else { return };
     let place = (seen.on_ground(seen.spot(hand.pointed.get_untracked())), seen.good_length());
     let (measure, language) = (seen.ground_measure(), hand.app.language.get_untracked());

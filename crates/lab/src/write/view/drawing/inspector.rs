@@ -49,7 +49,7 @@ pub fn view(hand: Hand) -> HtmlDiv {
 }
 
 /// Attributes shown for an element: those of its kind, and SVG coordinates if present.
-fn attributes_of(kind: Part, written: &[String]) -> Vec<&'static str> {
+fn attributes_of(kind: &Part, written: &[String]) -> Vec<&'static str> {
     let is_written = |name: &str| written.iter().any(|own| own == name);
     // SVG coordinates make the point attributes superfluous.
     let is_plain = ["x", "cx", "x1"].into_iter().any(is_written) && kind.name != "frame";

@@ -7,7 +7,7 @@ use view::views::*;
 
 /// Name of an element in the list: its kind, with its title or text if there is one.
 pub fn name(hand: Hand, item: &Item) -> String {
-    let kind = item.kind.title().text(hand.app.language.get_untracked()).to_owned();
+    let kind = item.kind.title.text(hand.app.language.get_untracked()).into_owned();
     hand.text.with(|text| {
         let said = item.says.and_then(|says| text.get(says.range())).map(str::trim).filter(|said| !said.is_empty());
         match said {

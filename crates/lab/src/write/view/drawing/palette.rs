@@ -18,12 +18,12 @@ pub fn button_of(hand: Hand, open: Signal<bool>) -> HtmlButton {
 /// Palette with a button for each kind of element.
 pub fn view(hand: Hand, open: Signal<bool>) -> HtmlDiv {
     let language = hand.app.language.get_untracked();
-    let one = move |kind: Part| {
+    let one = move |kind: &'static Part| {
         let add = move |_| {
             open.set(false);
             acts::add(hand, kind);
         };
-        let name = kind.title().text(language).to_owned();
+        let name = kind.title.text(language).into_owned();
         button().class("quiet").attr("data-part", kind.name).when(events::click, add).child(name)
     };
     div()

@@ -1,6 +1,7 @@
 //! Stationary background of a body.
 
 use crate::plane::Plane;
+use crate::tracking::body::vacated::usual;
 
 /// Number of frames for an update of all rows: each frame updates every eighth row.
 const TURN: usize = 8;
@@ -9,7 +10,7 @@ const PACE: i32 = 3;
 /// Approximate number of pixels for the estimates of brightness and noise.
 const COMPARED: usize = 4000;
 /// Minimum standard deviation of a grey value; smaller ones are due to rounding.
-const LEAST: f32 = 1.5;
+pub(crate) const LEAST: f32 = 1.5;
 
 /// Picture without the body. Pixels that the body has always covered are unknown.
 pub(crate) struct Background {
@@ -26,7 +27,7 @@ pub(crate) struct Compared<'a> {
     pub background: &'a Background,
     /// Brightness of the frame relative to the background, grey values.
     brighter: f32,
-    /// Standard deviation of a grey value.
+    /// Standard deviation of a shade in the metric of [`distance`].
     pub noise: f32,
 }
 
@@ -61,6 +62,11 @@ impl Background {
                 }
             }
         }
+    }
+
+    /// Sets the pixels of a disc to their temporal median in some frames.
+    pub(crate) fn reveal(&mut self, planes: &[&Plane], disc: Around) {
+        self.within(disc, |known, shade, (column, row)| (*known, *shade) = (true, usual(planes, column, row)));
     }
 
     /// Updates the background from a frame, except the disc of the body. `uncovered`: disc in which pixels may have
@@ -103,22 +109,23 @@ impl Background {
     /// Estimates brightness and noise of a frame relative to the background.
     pub(crate) fn compare<'a>(&'a self, plane: &'a Plane) -> Compared<'a> {
         let step = (self.shades.len() / COMPARED).max(1) | 1;
-        let mut steps: Vec<i16> = self
-            .shades
-            .iter()
-            .zip(plane.grey())
-            .step_by(step)
-            .map(|(shade, grey)| i16::from(*grey) - i16::from(shade[0]))
+        let width = self.width.max(1);
+        let places = (0..self.shades.len()).step_by(step).map(|place| (place, place % width, place / width));
+        let steps: Vec<[i16; 3]> = places
+            .filter_map(|(place, column, row)| {
+                let now = plane.shade(column as i64, row as i64);
+                let shade = self.shades.get(place)?;
+                Some([0, 1, 2].map(|k| i16::from(now[k]) - i16::from(shade[k])))
+            })
             .collect();
-        let middle = steps.len() / 2;
-        let median = |values: &mut [i16]| match values.len() {
-            0 => 0.0,
-            _ => f32::from(*values.select_nth_unstable(middle).1),
+        let part = |k: usize| steps.iter().map(move |step| step[k]);
+        let brighter = median(part(0).collect());
+        let noise = |k: usize, middle: f32| {
+            // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
+            median(part(k).map(|step| (step - middle as i16).abs()).collect()) / 0.6745
         };
-        let brighter = median(&mut steps);
-        steps.iter_mut().for_each(|step| *step = (*step - brighter as i16).abs());
-        // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
-        Compared { plane, background: self, brighter, noise: (median(&mut steps) / 0.6745).max(LEAST) }
+        let [grey, blue, red] = [noise(0, brighter).max(LEAST), noise(1, 0.0), noise(2, 0.0)];
+        Compared { plane, background: self, brighter, noise: distance([grey, blue, red], [0.0; 3]).sqrt() }
     }
 }
 
@@ -138,6 +145,11 @@ impl Compared<'_> {
     pub(crate) fn still(&self, shade: [f32; 3], column: i64, row: i64) -> Option<f32> {
         Some(distance(shade, self.background.at(column, row)?.map(f32::from)))
     }
+}
+
+fn median(mut values: Vec<i16>) -> f32 {
+    let middle = values.len() / 2;
+    if values.is_empty() { 0.0 } else { f32::from(*values.select_nth_unstable(middle).1) }
 }
 
 /// Squared distance of two shades. Colour differences have twice the weight: they and their noise are smaller than

@@ -38,6 +38,12 @@ impl Disc {
         self.radius + self.shift[0].abs().max(self.shift[1].abs())
     }
 
+    /// True if radii and middles differ by less than an eighth of the radius, or a pixel.
+    pub(crate) fn resembles(&self, other: Disc) -> bool {
+        let off = libm::hypot(self.shift[0] - other.shift[0], self.shift[1] - other.shift[1]);
+        off.max((self.outline - other.outline).abs()) < (self.outline / 8.0).max(1.0)
+    }
+
     /// Middle of the disc for a click at this point, px.
     pub(crate) fn middle(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [x + self.shift[0], y + self.shift[1]]

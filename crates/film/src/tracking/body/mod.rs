@@ -6,7 +6,6 @@
 
 mod background;
 mod course;
-mod departure;
 mod disc;
 mod joining;
 mod look;
@@ -16,9 +15,10 @@ mod refining;
 mod rival;
 mod starting;
 mod template;
+mod vacated;
 
 use background::Background;
-use course::{Course, course};
+use course::course;
 pub(crate) use disc::Disc;
 use look::Look;
 use moving::Moving;
@@ -35,6 +35,7 @@ use crate::tracking::track::{Known, Track};
 use joining::joined;
 use refining::{Refining, Seen};
 use rival::Rivals;
+use starting::{Shot, Start};
 
 /// Minimum correlation of a template that was found.
 const SCORE: f64 = 0.6;
@@ -102,17 +103,8 @@ struct Tracker {
     begin: usize,
     /// Usual fraction of the ring around the body that does not show the background: smear, a rod.
     around: f32,
-    /// Frame of the click, until the body has moved.
-    start: Option<Start>,
     moving: Moving,
     rivals: Rivals,
-}
-
-/// Frame of a click, and the number of frames after it.
-struct Start {
-    plane: Plane,
-    click: [f64; 2],
-    age: usize,
 }
 
 /// Result of the search in a frame.
@@ -145,6 +137,8 @@ pub struct Body {
     /// One per template: true once its disc has moved as a whole.
     moved: Vec<bool>,
     tracker: Option<Tracker>,
+    /// The click and the frames from there on, until the body has left its first place.
+    start: Option<Start>,
     seen: Vec<Seen>,
     cameras: Vec<Similarity>,
     bytes: usize,
@@ -163,6 +157,7 @@ impl Body {
             templates: Vec::new(),
             moved: Vec::new(),
             tracker: None,
+            start: None,
             seen: Vec::new(),
             cameras: Vec::new(),
             bytes: 0,
@@ -181,13 +176,30 @@ impl Body {
     /// order, or the film is too long.
     pub fn take(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         self.admit(frame, time, plane)?;
+        let sight = self.follow(frame, time, plane, camera)?;
+        let Some(start) = self.start.take() else { return Ok(sight) };
+        Ok(self.leave(start, Shot { frame, time, plane: plane.clone(), camera })?.unwrap_or(sight))
+    }
+
+    /// Finds the body in the next frame.
+    fn follow(&mut self, frame: usize, time: f64, plane: &Plane, camera: Similarity) -> Result<Sight, Refusal> {
         let key = self.settings.keys.iter().rev().find(|key| key.frame == frame).copied();
-        let departed = self.depart(plane);
-        let sighting = self.find(plane, time, departed);
+        let sighting = self.find(plane, time);
         let sighting = match key {
             Some(click) => Some(self.begin(plane, click.position, sighting)?),
             None => sighting,
         };
+        self.sight(frame, time, (plane, camera), sighting)
+    }
+
+    /// Keeps what was found in a frame.
+    fn sight(
+        &mut self,
+        frame: usize,
+        time: f64,
+        (plane, camera): (&Plane, Similarity),
+        sighting: Option<Sighting>,
+    ) -> Result<Sight, Refusal> {
         let Some(tracker) = &mut self.tracker else {
             return Ok(if self.templates.is_empty() { Sight::Before } else { Sight::Lost });
         };
@@ -214,6 +226,9 @@ impl Body {
         let key = self.templates.len().saturating_sub(1);
         if let Some(Template { disc, .. }) = self.templates.last() {
             tracker.moving.take(&tracker.background, (plane, found.position), *disc, self.seen.len());
+        }
+        if let Some(moved) = self.moved.last_mut() {
+            *moved |= tracker.moving.moved;
         }
         let moves = !tracker.moving.rests;
         if !moves {
@@ -265,10 +280,17 @@ impl Body {
         let continued = sighting.filter(near);
         let position = continued.as_ref().map_or([x, y], |one| one.found.position);
         let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
+        let moved = continued.is_some() && self.moved.last() == Some(&true);
+        if continued.is_none() {
+            self.start = Some(Start::new(position, (self.seen.len(), self.templates.len()), self.lost));
+        }
         let found = self.start(plane, position, disc, background).map_err(|refusal| match given {
             Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
             _ => refusal,
         })?;
+        if let Some(last) = self.moved.last_mut() {
+            *last = moved;
+        }
         let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
         if let Some(tracker) = &mut self.tracker {
             tracker.begin = begin;
@@ -278,7 +300,7 @@ impl Body {
     }
 
     /// Finds the body near its predicted position; `None` if nothing there resembles it.
-    fn find(&mut self, plane: &Plane, time: f64, departed: Option<[f64; 2]>) -> Option<Sighting> {
+    fn find(&mut self, plane: &Plane, time: f64) -> Option<Sighting> {
         let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);
         let disc = template.disc;
         let trail = self.seen.get(tracker.begin..).unwrap_or_default();
@@ -288,10 +310,7 @@ impl Body {
         let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
         let trail: Vec<(f64, [f64; 2])> =
             trail.iter().filter(counts).map(|one| (one.time, one.first.position)).collect();
-        let mut course = course(&trail, time, disc.outline)?;
-        if let Some(place) = departed {
-            course = Course { place, reach: 3.0 + 0.3 * disc.outline, ..course };
-        }
+        let course = course(&trail, time, disc.outline)?;
         let reach = course.reach * (1.0 + 0.4 * tracker.hidden as f64);
         let mut found = tracker.find(plane, template, (course.place, reach), AGREES);
         if found.is_none() && trail.len() > 1 {

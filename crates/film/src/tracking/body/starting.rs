@@ -1,25 +1,49 @@
-//! Start of a track: template of a click, and verification of its disc by the first motion.
+//! Start of a track: template of a click, and the disc of the body once it has left its first place.
 
 use crate::plane::Plane;
 use crate::tracking::body::background::Background;
-use crate::tracking::body::departure::{Departure, departure};
 use crate::tracking::body::disc::Disc;
 use crate::tracking::body::look::Look;
 use crate::tracking::body::moving::Moving;
 use crate::tracking::body::part::{Axis, Part};
 use crate::tracking::body::rival::Rivals;
 use crate::tracking::body::template::{Found, Template};
-use crate::tracking::body::{Body, MARGIN, RADIUS, Start, Tracker, greatest, radii};
+use crate::tracking::body::vacated::vacated;
+use crate::tracking::body::{Body, MARGIN, RADIUS, Sight, Sighting, Tracker, greatest, radii};
 use crate::tracking::refusal::Refusal;
+use crate::tracking::similarity::Similarity;
 
-/// Minimum coherence of a disc that moves with its body, for the outline in one picture and for a disc found by motion.
-const COHERENT: [f64; 2] = [0.12, 0.3];
-/// Ratio of the explained changes from which a smaller outline is that of a spot.
-const SPOT: f64 = 3.0;
-/// Maximum number of frames after the click for a disc found by motion. Later, uniform bodies fit many motions.
-const LATEST: usize = 2;
-/// Minimum displacement for a disc found by motion, relative to its radius.
-const CLEARLY: f64 = 0.25;
+/// Number of frames after a click, at powers of two of which the body may have left its place.
+const LATEST: usize = 32;
+const EARLIEST: usize = 4;
+/// Maximum size of the kept frames in bytes.
+const BYTES: usize = 64 << 20;
+
+/// Frame that was taken.
+pub(super) struct Shot {
+    pub frame: usize,
+    pub time: f64,
+    pub plane: Plane,
+    pub camera: Similarity,
+}
+
+/// Click, the frames from there on, and what was known before: number of sightings and of templates, first frame
+/// without the body.
+pub(super) struct Start {
+    click: [f64; 2],
+    shots: Vec<Shot>,
+    seen: usize,
+    templates: usize,
+    lost: Option<usize>,
+    /// Disc at the power of two before.
+    disc: Option<Disc>,
+}
+
+impl Start {
+    pub(super) fn new(click: [f64; 2], (seen, templates): (usize, usize), lost: Option<usize>) -> Start {
+        Start { click, shots: Vec::new(), seen, templates, lost, disc: None }
+    }
+}
 
 impl Body {
     /// Disc with the given radius, if any, in a picture of `high` rows.
@@ -51,7 +75,6 @@ impl Body {
             return Err(Refusal::Plain);
         }
         let found = template.align(&part, position, 0.5);
-        let start = Some(Start { plane: plane.clone(), click: position, age: 0 });
         let now = template.clone();
         let moving = Moving::new(plane, position, self.seen.len());
         self.tracker = Some(Tracker {
@@ -63,7 +86,6 @@ impl Body {
             since: 0,
             begin: 0,
             around: 1.0,
-            start,
             moving,
             rivals: Rivals::default(),
         });
@@ -72,64 +94,47 @@ impl Body {
         Ok(Found { position, ..found })
     }
 
-    /// Position of the body after its first motion, px. The disc is replaced by that of the motion, if this explains
-    /// more.
-    pub(super) fn depart(&mut self, plane: &Plane) -> Option<[f64; 2]> {
-        let high = plane.height() as f64;
-        let (given, disc) = (self.settings.radius.is_some(), self.templates.last()?.disc);
-        let tracker = self.tracker.as_mut()?;
-        let begin = tracker.begin;
-        let mut start = tracker.start.take()?;
-        start.age += 1;
-        if !start.age.is_power_of_two() {
-            tracker.start = Some(start);
-            return None;
+    /// Keeps a frame after a click. Once the body has left its place there, its disc and the background behind it are
+    /// known, and it is followed again from the click. Returns the new result of this frame.
+    pub(super) fn leave(&mut self, mut start: Start, shot: Shot) -> Result<Option<Sight>, Refusal> {
+        let high = shot.plane.height() as f64;
+        let size = shot.plane.grey().len() * if shot.plane.colour().is_some() { 3 } else { 2 } / 2;
+        start.shots.push(shot);
+        let age = start.shots.len() - 1;
+        if age < EARLIEST || !age.is_power_of_two() {
+            self.start = Some(start).filter(|_| (age + 2) * size <= BYTES);
+            return Ok(None);
         }
-        let click = start.click;
-        let background = Background::new(&start.plane, (disc.middle(click), disc.radius));
-        let (first, now) = (background.compare(&start.plane), background.compare(plane));
+        let planes: Vec<&Plane> = start.shots.iter().map(|shot| &shot.plane).collect();
         let greatest = (RADIUS * high).clamp(3.0, greatest(high));
-        let known = departure(&first, &now, click, greatest, Some(disc));
-        let known = known.filter(|known| known.coherence > COHERENT[0]);
-        if let Some(moved) = self.moved.last_mut() {
-            *moved |= known.is_some();
-        }
-        let sharp = known.is_some_and(|known| known.coherence > COHERENT[1] && disc.outline > greatest / 2.0);
-        if given || sharp || start.age > LATEST {
-            tracker.start = known.is_none().then_some(start);
-            return None;
-        }
-        let better = |one: &Departure| {
-            known.is_none_or(|known| {
-                let times = if one.coherence > 2.0 * known.coherence { 1.0 } else { SPOT };
-                one.explained > times * known.explained
-            })
+        let found = vacated(&planes, start.click, greatest, self.given(high));
+        let before = std::mem::replace(&mut start.disc, found.map(|found| found.0));
+        let certain = found.filter(|(disc, left)| *left && before.is_some_and(|before| disc.resembles(before)));
+        let Some((disc, _)) = certain else {
+            self.start = Some(start).filter(|_| age < LATEST && (age + 2) * size <= BYTES);
+            return Ok(None);
         };
-        let plain = |one: &Departure| {
-            let way = libm::hypot(one.way[0], one.way[1]);
-            one.coherence > COHERENT[1] && way > CLEARLY * one.disc.outline && better(one)
-        };
-        let Some(found) = departure(&first, &now, click, greatest, None).filter(plain) else {
-            tracker.start = known.is_none().then_some(start);
-            return None;
-        };
-        let place = [0, 1].map(|k| click[k] + found.way[k]);
-        let alone = start.age == 1 && self.seen.len() == begin + 1;
-        if alone {
-            self.templates.pop();
-            self.moved.pop();
-        }
-        let seen = self.start(&start.plane, click, found.disc, None).ok()?;
+        let Some(first) = start.shots.first() else { return Ok(None) };
+        let mut background = Background::new(&first.plane, (disc.middle(start.click), disc.radius));
+        background.reveal(&planes, (disc.middle(start.click), disc.radius));
+        self.seen.truncate(start.seen);
+        self.cameras.truncate(start.seen);
+        self.templates.truncate(start.templates);
+        self.moved.truncate(start.templates);
+        self.bytes = self.seen.iter().map(|one| one.part.plane.grey().len()).sum();
+        self.lost = start.lost;
+        let found = self.start(&first.plane, start.click, disc, Some(background))?;
         if let Some(moved) = self.moved.last_mut() {
             *moved = true;
         }
-        let tracker = self.tracker.as_mut()?;
-        (tracker.begin, tracker.start) = (begin, None);
-        let reach = found.disc.reach() + MARGIN;
-        if let Some(last) = self.seen.last_mut().filter(|_| alone) {
-            last.part = Part::around(&start.plane, click, reach, tracker.axis.as_ref()).unwrap_or(last.part.clone());
-            (last.first, last.now) = (seen, seen);
+        if let Some(tracker) = &mut self.tracker {
+            tracker.begin = start.seen;
         }
-        Some(place)
+        let sighting = Sighting { found, agreement: 1.0, aside: false, free: true, rival: None };
+        let mut sight = self.sight(first.frame, first.time, (&first.plane, first.camera), Some(sighting))?;
+        for shot in start.shots.iter().skip(1) {
+            sight = self.follow(shot.frame, shot.time, &shot.plane, shot.camera)?;
+        }
+        Ok(Some(sight))
     }
 }

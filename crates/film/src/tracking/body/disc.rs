@@ -38,10 +38,10 @@ impl Disc {
         self.radius + self.shift[0].abs().max(self.shift[1].abs())
     }
 
-    /// True if radii and middles differ by less than an eighth of the radius, or a pixel.
-    pub(crate) fn resembles(&self, other: Disc) -> bool {
+    /// Difference of the middles or of the radii of the outlines, whichever is larger, px.
+    pub(crate) fn difference(&self, other: Disc) -> f64 {
         let off = libm::hypot(self.shift[0] - other.shift[0], self.shift[1] - other.shift[1]);
-        off.max((self.outline - other.outline).abs()) < (self.outline / 8.0).max(1.0)
+        off.max((self.outline - other.outline).abs())
     }
 
     /// Middle of the disc for a click at this point, px.

@@ -16,6 +16,8 @@ use crate::tracking::similarity::Similarity;
 /// Number of frames after a click, at powers of two of which the body may have left its place.
 const LATEST: usize = 32;
 const EARLIEST: usize = 4;
+/// Maximum difference of the discs after two numbers of frames, relative to the radius.
+const STABLE: f64 = 0.125;
 /// Maximum size of the kept frames in bytes.
 const BYTES: usize = 64 << 20;
 
@@ -109,11 +111,21 @@ impl Body {
         let greatest = (RADIUS * high).clamp(3.0, greatest(high));
         let found = vacated(&planes, start.click, greatest, self.given(high));
         let before = std::mem::replace(&mut start.disc, found.map(|found| found.0));
-        let certain = found.filter(|(disc, left)| *left && before.is_some_and(|before| disc.resembles(before)));
+        let stable = |disc: Disc, before: Disc| disc.difference(before) < (STABLE * disc.outline).max(1.0);
+        let certain = found.filter(|(disc, left)| *left && before.is_some_and(|before| stable(*disc, before)));
         let Some((disc, _)) = certain else {
             self.start = Some(start).filter(|_| age < LATEST && (age + 2) * size <= BYTES);
             return Ok(None);
         };
+        if let Some(moved) = self.moved.get_mut(start.templates) {
+            *moved = true;
+        }
+        // Discs that differ by less than the margin of a template hold the same body.
+        let is_same = |template: &Template| template.disc.difference(disc) < disc.radius - disc.outline;
+        let is_followed = self.templates.get(start.templates).is_some_and(is_same);
+        if is_followed && self.tracker.as_ref().is_some_and(|tracker| tracker.hidden == 0) {
+            return Ok(None);
+        }
         let Some(first) = start.shots.first() else { return Ok(None) };
         let mut background = Background::new(&first.plane, (disc.middle(start.click), disc.radius));
         background.reveal(&planes, (disc.middle(start.click), disc.radius));

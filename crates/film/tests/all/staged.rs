@@ -85,3 +85,21 @@ fn a_body_that_does_not_move_is_in_doubt_from_end_to_end() {
     }
     assert!(tracker.finish().points.iter().all(|point| point.doubtful));
 }
+
+#[test]
+fn the_outline_of_a_body_is_that_of_the_pixels_that_it_leaves() {
+    let mut right = 0;
+    for (kind, seed) in
+        [Kind::Boards, Kind::Wall, Kind::Ball].into_iter().flat_map(|kind| (0..4).map(move |k| (kind, k)))
+    {
+        let stage = Stage::new(kind, seed, 240, 34, seed % 2 == 0);
+        let keys = vec![Click { frame: 0, position: stage.click(0, 0, seed, 0.6) }];
+        let mut tracker = Body::new(Settings { keys, radius: None, readout: Known::Estimated });
+        for frame in 0..34 {
+            tracker.take(frame, frame as f64 / 30.0, &stage.frame(frame), Similarity::IDENTITY).expect("a frame");
+        }
+        let radius = tracker.radius().expect("a radius");
+        right += usize::from((radius / stage.radius - 1.0).abs() < 0.2);
+    }
+    assert!(right >= 10, "{right} of 12");
+}

@@ -18,6 +18,8 @@ const LATEST: usize = 32;
 const EARLIEST: usize = 4;
 /// Maximum difference of the discs after two numbers of frames, relative to the radius.
 const STABLE: f64 = 0.125;
+/// Maximum difference of a disc from that of a template, relative to the radius, for which the track stays as it is.
+const SAME: f64 = 0.25;
 /// Maximum size of the kept frames in bytes.
 const BYTES: usize = 64 << 20;
 
@@ -117,11 +119,9 @@ impl Body {
             self.start = Some(start).filter(|_| age < LATEST && (age + 2) * size <= BYTES);
             return Ok(None);
         };
-        if let Some(moved) = self.moved.get_mut(start.templates) {
-            *moved = true;
-        }
-        // Discs that differ by less than the margin of a template hold the same body.
-        let is_same = |template: &Template| template.disc.difference(disc) < disc.radius - disc.outline;
+        // Later key frames continue this one.
+        self.moved.iter_mut().skip(start.templates).for_each(|moved| *moved = true);
+        let is_same = |template: &Template| template.disc.difference(disc) < SAME * disc.outline;
         let is_followed = self.templates.get(start.templates).is_some_and(is_same);
         if is_followed && self.tracker.as_ref().is_some_and(|tracker| tracker.hidden == 0) {
             return Ok(None);

@@ -1,7 +1,6 @@
 //! Stationary background of a body.
 
 use crate::plane::Plane;
-use crate::tracking::body::vacated::usual;
 
 /// Number of frames for an update of all rows: each frame updates every eighth row.
 const TURN: usize = 8;
@@ -150,6 +149,16 @@ impl Compared<'_> {
 fn median(mut values: Vec<i16>) -> f32 {
     let middle = values.len() / 2;
     if values.is_empty() { 0.0 } else { f32::from(*values.select_nth_unstable(middle).1) }
+}
+
+/// Temporal median of each component of a pixel.
+pub(crate) fn usual(planes: &[&Plane], column: i64, row: i64) -> [u8; 3] {
+    let shades: Vec<[u8; 3]> = planes.iter().map(|plane| plane.shade(column, row)).collect();
+    [0, 1, 2].map(|k| {
+        let mut values: Vec<u8> = shades.iter().map(|shade| shade[k]).collect();
+        let middle = values.len() / 2;
+        if values.is_empty() { 0 } else { *values.select_nth_unstable(middle).1 }
+    })
 }
 
 /// Squared distance of two shades. Colour differences have twice the weight: they and their noise are smaller than

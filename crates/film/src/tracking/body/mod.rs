@@ -13,6 +13,7 @@ mod moving;
 mod part;
 mod refining;
 mod rival;
+mod start;
 mod starting;
 mod template;
 mod vacated;
@@ -35,7 +36,7 @@ use crate::tracking::track::{Known, Track};
 use joining::joined;
 use refining::{Refining, Seen};
 use rival::Rivals;
-use starting::{Shot, Start};
+use start::{Shot, Start};
 
 /// Minimum correlation of a template that was found.
 const SCORE: f64 = 0.6;

@@ -7,11 +7,11 @@ use crate::tracking::body::look::Look;
 use crate::tracking::body::moving::Moving;
 use crate::tracking::body::part::{Axis, Part};
 use crate::tracking::body::rival::Rivals;
+use crate::tracking::body::start::{Shot, Start};
 use crate::tracking::body::template::{Found, Template};
 use crate::tracking::body::vacated::vacated;
 use crate::tracking::body::{Body, MARGIN, RADIUS, Sight, Sighting, Tracker, greatest, radii};
 use crate::tracking::refusal::Refusal;
-use crate::tracking::similarity::Similarity;
 
 /// Number of frames after a click, at powers of two of which the body may have left its place.
 const LATEST: usize = 32;
@@ -22,32 +22,6 @@ const STABLE: f64 = 0.125;
 const SAME: f64 = 0.25;
 /// Maximum size of the kept frames in bytes.
 const BYTES: usize = 64 << 20;
-
-/// Frame that was taken.
-pub(super) struct Shot {
-    pub frame: usize,
-    pub time: f64,
-    pub plane: Plane,
-    pub camera: Similarity,
-}
-
-/// Click, the frames from there on, and what was known before: number of sightings and of templates, first frame
-/// without the body.
-pub(super) struct Start {
-    click: [f64; 2],
-    shots: Vec<Shot>,
-    seen: usize,
-    templates: usize,
-    lost: Option<usize>,
-    /// Disc at the power of two before.
-    disc: Option<Disc>,
-}
-
-impl Start {
-    pub(super) fn new(click: [f64; 2], (seen, templates): (usize, usize), lost: Option<usize>) -> Start {
-        Start { click, shots: Vec::new(), seen, templates, lost, disc: None }
-    }
-}
 
 impl Body {
     /// Disc with the given radius, if any, in a picture of `high` rows.

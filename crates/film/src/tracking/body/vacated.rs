@@ -1,7 +1,7 @@
 //! Disc of a clicked body from the pixels that it covers in the frame of the click and has left some frames later.
 
 use crate::plane::Plane;
-use crate::tracking::body::background::{LEAST, distance};
+use crate::tracking::body::background::{LEAST, distance, usual};
 use crate::tracking::body::disc::{BESIDE, Disc, SMALLEST};
 use crate::tracking::body::look::ALIKE;
 use crate::tracking::median::median;
@@ -21,16 +21,6 @@ const NOISE: f64 = 0.06;
 const AFTER: [usize; 3] = [5, 6, 8];
 /// Number of pixels along the greatest radius.
 const FINE: f64 = 48.0;
-
-/// Temporal median of each component of a pixel.
-pub(crate) fn usual(planes: &[&Plane], column: i64, row: i64) -> [u8; 3] {
-    let shades: Vec<[u8; 3]> = planes.iter().map(|plane| plane.shade(column, row)).collect();
-    [0, 1, 2].map(|k| {
-        let mut values: Vec<u8> = shades.iter().map(|shade| shade[k]).collect();
-        let middle = values.len() / 2;
-        if values.is_empty() { 0 } else { *values.select_nth_unstable(middle).1 }
-    })
-}
 
 /// Changes of pixels relative to their temporal median, 0 to 1, in the first frame and in some of the second half.
 struct Changes {

@@ -1,0 +1,31 @@
+//! Frames kept after a click.
+
+use crate::plane::Plane;
+use crate::tracking::body::disc::Disc;
+use crate::tracking::similarity::Similarity;
+
+/// Frame that was taken.
+pub(super) struct Shot {
+    pub frame: usize,
+    pub time: f64,
+    pub plane: Plane,
+    pub camera: Similarity,
+}
+
+/// Click, the frames from there on, and what was known before: number of sightings and of templates, first frame
+/// without the body.
+pub(super) struct Start {
+    pub click: [f64; 2],
+    pub shots: Vec<Shot>,
+    pub seen: usize,
+    pub templates: usize,
+    pub lost: Option<usize>,
+    /// Disc at the power of two before.
+    pub disc: Option<Disc>,
+}
+
+impl Start {
+    pub(super) fn new(click: [f64; 2], (seen, templates): (usize, usize), lost: Option<usize>) -> Start {
+        Start { click, shots: Vec::new(), seen, templates, lost, disc: None }
+    }
+}

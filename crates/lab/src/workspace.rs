@@ -68,6 +68,7 @@ fn prepare(app: App) {
     navigation::listen(app);
     drop::listen(app);
     served::follow(app);
+    class::listen(app);
     panel::follow(app);
     film::mark_page(app);
     film::follow(app);

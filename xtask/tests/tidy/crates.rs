@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 22] = [
+const ARROWS: [(&str, &[&str]); 23] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
@@ -25,6 +25,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
         &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "saved", "units"],
     ),
     ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
+    ("server", &["saved", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
@@ -43,6 +44,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "program",
             "report",
             "saved",
+            "server",
             "units",
         ],
     ),

@@ -3,6 +3,7 @@
 
 mod computed;
 mod curves;
+mod live;
 mod questions;
 mod snapshots;
 mod stuck;
@@ -30,6 +31,8 @@ pub struct Entry {
     state: State,
     /// The measured columns of a hand-in that counts, in the form in which copies are found.
     columns: Vec<Curve>,
+    /// A later form of the file has arrived.
+    is_outdated: bool,
 }
 
 /// State of a file.
@@ -154,7 +157,7 @@ impl Collection {
                 }
             }
         }
-        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new() });
+        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new(), is_outdated: false });
     }
 
     /// Index of the hand-in of the same sender that counts so far.

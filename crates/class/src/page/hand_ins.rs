@@ -13,7 +13,7 @@ pub fn hand_ins(collection: &Collection, language: Language) -> String {
     let mut page = Page::default();
     let headings = language.say_all(["#Group", "Name", "#Seat", "File", "Verification"]);
     page.table("wide", &headings);
-    for (index, entry) in collection.entries().iter().enumerate() {
+    for (index, entry) in collection.listed() {
         let seat = entry.hand_in().and_then(|hand_in| hand_in.sender.seat);
         let number = format!("#{}", index + 1);
         let seat = format!("#{}", seat.map_or_else(String::new, |seat| seat.to_string()));

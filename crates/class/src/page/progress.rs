@@ -6,7 +6,7 @@ use units::{Language, say};
 /// Number of groups, of hand-ins that are still to be computed, and of files that do not count.
 pub fn count_text(collection: &Collection, language: Language) -> String {
     let (groups, waiting) = (collection.works().count(), collection.waiting());
-    let more = collection.entries().len() - groups - waiting;
+    let more = collection.listed().count() - groups - waiting;
     let mut text = say!(language, "{groups} groups");
     if waiting > 0 {
         text += &say!(language, ", {waiting} still to be computed");

@@ -245,3 +245,20 @@ fn what_is_computed_elsewhere_is_what_is_computed_here() {
     let State::Unreadable(why) = collection.entries()[1].state() else { panic!("it has failed") };
     assert!(why.english().contains("fault in the program"), "{why:?}");
 }
+
+#[test]
+fn a_later_form_of_a_file_replaces_the_former_one_in_a_lesson() {
+    let early = handed(&measured(1), "fox");
+    let late = HandIn { made: early.made + 1, ..handed(&measured(2), "fox") };
+    let mut collection = Collection::new(VERSION, Language::English);
+    for hand_in in [&early, &late, &late] {
+        collection.update("fox.hand-in", HandIn::read(&hand_in.write()));
+        while collection.advance() {}
+        assert_eq!((collection.listed().count(), collection.works().count()), (1, 1));
+    }
+    let (_, shown) = collection.listed().next().unwrap();
+    assert_eq!(shown.hand_in(), Some(&late));
+    // What was replaced holds nothing, and is a copy of nothing.
+    assert!(collection.entries()[0].hand_in().unwrap().work.items.is_empty());
+    assert!(collection.copies().is_empty());
+}

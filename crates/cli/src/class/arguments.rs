@@ -16,6 +16,8 @@ pub enum Class {
     /// Count the answers to a survey: shares, frequent words, comments
     #[command(after_help = SURVEY_EXAMPLES)]
     Survey(Survey),
+    #[command(flatten)]
+    Server(super::server_arguments::ClassServer),
 }
 
 const SURVEY_EXAMPLES: &str = "\

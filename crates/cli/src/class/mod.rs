@@ -4,6 +4,8 @@ pub mod arguments;
 mod assign;
 mod report;
 mod seat;
+mod server;
+mod server_arguments;
 mod survey;
 
 use crate::failure::Failure;
@@ -18,5 +20,6 @@ pub fn run(class: &Class, terminal: Terminal) -> Result<(), Failure> {
         Class::Assign(arguments) => assign::assign(arguments, terminal),
         Class::Report(arguments) => report::report(arguments, terminal),
         Class::Survey(arguments) => survey::survey(arguments, terminal),
+        Class::Server(command) => server::run(command, terminal),
     }
 }

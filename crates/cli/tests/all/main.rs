@@ -9,6 +9,7 @@ mod authoring;
 mod build;
 mod carried;
 mod check;
+mod class_store;
 mod common;
 mod cycles;
 mod derivatives;

@@ -9,6 +9,7 @@ mod drawn;
 mod empty;
 mod folder;
 mod hand_ins;
+mod live;
 mod results;
 mod room;
 mod snapshots;
@@ -19,6 +20,7 @@ mod words;
 
 pub use adding::{add, add_of_folders, is_hand_in};
 pub use folder::folders;
+pub use live::listen;
 pub use room::Room;
 pub use survey::{SurveyRoom, add as add_sheets, is_sheet};
 pub use window::open;

@@ -19,24 +19,8 @@ pub fn view(app: App) -> View {
 /// Computes the values that follow from the work, saves the file, and passes a sentence about it to `done`.
 fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
     let words = words::of(app);
-    let now = js_sys::Date::now() as u64;
-    let (state, items, left_out) = app.read_desk(|desk| {
-        let stored = desk.saved_records().len();
-        let left_out = desk.records().len().saturating_sub(stored);
-        (desk.play().share(), desk.project_items(now), left_out)
-    });
-    let work = Project { documents: files(app), state, items };
-    let recomputation = match Recomputation::begin(&work) {
-        Ok(recomputation) => recomputation,
-        Err(_) => return done(words.faulty.to_owned()),
-    };
-    let sender = sender(app, name);
-    let hand_in =
-        HandIn { program: env!("CARGO_PKG_VERSION").to_owned(), made: now, sender, work, ..HandIn::default() };
     wasm_bindgen_futures::spawn_local(async move {
-        let recomputation = recomputing::finished(recomputation).await;
-        let lost = recomputation.refused() + left_out;
-        let hand_in = HandIn { facts: recomputation.facts(), ..hand_in };
+        let Some((hand_in, lost)) = made(app, name).await else { return done(words.faulty.to_owned()) };
         let file = format!("{}{HAND_IN_ENDING}", stem(app));
         browser::save_text(&file, "application/json", &hand_in.write());
         let mut sentences = handing::saved(app.page, &file, hand_in.facts.len());
@@ -45,4 +29,21 @@ fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
         }
         done(sentences);
     });
+}
+
+/// Hand-in of the present work, and the number of its parts that were left out; `None` if the document has errors.
+pub async fn made(app: App, name: String) -> Option<(HandIn, usize)> {
+    let now = js_sys::Date::now() as u64;
+    let (state, items, left_out) = app.read_desk(|desk| {
+        let stored = desk.saved_records().len();
+        let left_out = desk.records().len().saturating_sub(stored);
+        (desk.play().share(), desk.project_items(now), left_out)
+    });
+    let work = Project { documents: files(app), state, items };
+    let recomputation = Recomputation::begin(&work).ok()?;
+    let sender = sender(app, name);
+    let recomputation = recomputing::finished(recomputation).await;
+    let lost = recomputation.refused() + left_out;
+    let (program, facts) = (env!("CARGO_PKG_VERSION").to_owned(), recomputation.facts());
+    Some((HandIn { program, made: now, sender, work, facts, ..HandIn::default() }, lost))
 }

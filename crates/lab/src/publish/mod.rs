@@ -12,6 +12,7 @@ mod window;
 mod words;
 mod worksheet;
 
+pub use hand_in::made;
 pub use sheet::Sheet;
 pub use worksheet::solutions;
 

@@ -1,0 +1,243 @@
+//! `meniscus class serve`, `backup`, `restore`, `erase`, `export`: the class server on this computer.
+
+use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, Restore, ServeClass};
+use crate::failure::Failure;
+use crate::load::{self, Loaded};
+use crate::page;
+use crate::terminal::Terminal;
+use document::page::POLICY;
+use server::class::{Class, Classes};
+use server::http::{Place, Server};
+use server::pages::{Document, Pages};
+use server::store::{back_up, restore};
+use server::{Fault, Store, export, listen, now, qr};
+use std::future::Future;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::TcpListener;
+use tokio::time::interval;
+use units::{Words, words};
+
+/// First port that is tried, and the number of ports.
+const PORT: u16 = 4250;
+const TRIED: u16 = 20;
+
+/// Time between two looks for classes whose time is over.
+const LOOK: Duration = Duration::from_secs(3600);
+
+/// Runs one of the commands.
+///
+/// # Errors
+/// A document, a store or a port cannot be used.
+pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
+    match command {
+        ClassServer::Serve(arguments) => serve(arguments, terminal),
+        ClassServer::Backup(Backup { file, output }) => {
+            back_up(&file.store, output).map_err(|fault| about(&file.store, &fault))
+        }
+        ClassServer::Restore(Restore { backup, file }) => {
+            let events = restore(backup, &file.store, now()).map_err(|fault| about(backup, &fault))?;
+            terminal.print(&format!("{}: {events}\n", terminal.language.say("parts restored")));
+            Ok(())
+        }
+        ClassServer::Erase(arguments) => blocking(erase(arguments)),
+        ClassServer::Export(arguments) => blocking(write_files(arguments, terminal)),
+    }
+}
+
+fn blocking(work: impl Future<Output = Result<(), Failure>>) -> Result<(), Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.map_err(|error| network(&error))?.block_on(work)
+}
+
+fn about(path: &Path, fault: &Fault) -> Failure {
+    Failure::about(path, &fault.words())
+}
+
+fn network(error: &io::Error) -> Failure {
+    Failure::in_words(words!("cannot serve: {}", error), words("choose another port with `--port`"))
+}
+
+/// A store that must exist.
+fn existing(path: &Path) -> Result<Store, Failure> {
+    if !path.exists() {
+        let why = words("does not exist; `--store` names the file");
+        return Err(Failure::about(path, &why));
+    }
+    Store::open(path).map_err(|fault| about(path, &fault))
+}
+
+async fn erase(arguments: &Erase) -> Result<(), Failure> {
+    let path = &arguments.file.store;
+    let store = existing(path)?;
+    let fails = |fault| about(path, &fault);
+    let classes = store.classes().await.map_err(fails)?;
+    match arguments.seat {
+        Some(seat) => {
+            let class = classes.first().ok_or_else(|| about(path, &Fault::Missing))?;
+            store.erase_seat(class.class.clone(), seat).await.map_err(fails)
+        }
+        None => {
+            for class in classes {
+                store.erase_class(class.class).await.map_err(fails)?;
+            }
+            Ok(())
+        }
+    }
+}
+
+async fn write_files(arguments: &ExportClass, terminal: Terminal) -> Result<(), Failure> {
+    let path = &arguments.file.store;
+    let store = existing(path)?;
+    let fails = |fault| about(path, &fault);
+    let classes = store.classes().await.map_err(fails)?;
+    let class = classes.first().ok_or_else(|| about(path, &Fault::Missing))?;
+    let files = export::files(&store, &class.class).await.map_err(fails)?;
+    let folder = &arguments.output;
+    std::fs::create_dir_all(folder).map_err(|error| Failure::file("write", folder, &error))?;
+    for (name, content) in &files {
+        let file = folder.join(name);
+        std::fs::write(&file, content).map_err(|error| Failure::file("write", &file, &error))?;
+    }
+    terminal.print(&format!("{}: {}\n", terminal.language.say("files written"), files.len()));
+    Ok(())
+}
+
+fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
+    let documents = documents(arguments, terminal)?;
+    let title = documents.first().map_or_else(String::new, |document| document.title.clone());
+    let pages = Pages::new(documents, page::own()?, POLICY, terminal.language);
+    let path = &arguments.file.store;
+    blocking(async {
+        let store = Store::open(path).map_err(|fault| about(path, &fault))?;
+        let fails = |fault| about(path, &fault);
+        let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
+        let class = match classes.latest().filter(|_| !arguments.new) {
+            Some(class) => class,
+            None => classes.begin(&title, arguments.keep, terminal.language, now()).await.map_err(fails)?,
+        };
+        let listener = listener(arguments.port).await.map_err(|error| network(&error))?;
+        let port = listener.local_addr().map_err(|error| network(&error))?.port();
+        let (place, tls) = place(arguments, port)?;
+        let server = Server::new(classes, pages, place.clone());
+        announce(&server, &class, &place, port, terminal)?;
+        let look = async {
+            let mut looks = interval(LOOK);
+            loop {
+                looks.tick().await;
+                // A store that cannot be written at the moment is looked at again.
+                let _ = server.classes().erase_expired(now()).await;
+            }
+        };
+        tokio::select! {
+            () = listen::serve(listener, server.routes(), tls) => Ok(()),
+            () = look => Ok(()),
+            interrupted = tokio::signal::ctrl_c() => interrupted.map_err(|error| network(&error)),
+        }
+    })
+}
+
+/// The documents with their pages. A document with errors is refused.
+fn documents(arguments: &ServeClass, terminal: Terminal) -> Result<Vec<Document>, Failure> {
+    let mut documents: Vec<Document> = Vec::new();
+    for path in &arguments.documents {
+        let loaded = Loaded::open(load::sources(path)?);
+        terminal.report(&loaded);
+        let Some(document) = loaded.opened.document.as_ref().filter(|_| !loaded.opened.has_errors()) else {
+            return Err(Failure::Document);
+        };
+        let html = match arguments.lab {
+            true => page::with(&loaded.sources, Some(document))?,
+            false => page::player(&loaded.sources, document)?,
+        };
+        let name = loaded.sources.embedded().first().map_or_else(String::new, |source| source.name.clone());
+        if documents.iter().any(|other| other.name == name) {
+            let why = words("is the second document of this name");
+            return Err(Failure::about(path, &why));
+        }
+        let (title, has_seats) = (document.program.title.clone(), document.program.has_seats());
+        documents.push(Document { name, title, has_seats, html });
+    }
+    Ok(documents)
+}
+
+async fn listener(port: Option<u16>) -> io::Result<TcpListener> {
+    if let Some(port) = port {
+        return TcpListener::bind((Ipv4Addr::UNSPECIFIED, port)).await;
+    }
+    for port in PORT..PORT + TRIED {
+        if let Ok(listener) = TcpListener::bind((Ipv4Addr::UNSPECIFIED, port)).await {
+            return Ok(listener);
+        }
+    }
+    TcpListener::bind((Ipv4Addr::UNSPECIFIED, 0)).await
+}
+
+/// Where the server is reached, and its encryption.
+fn place(arguments: &ServeClass, port: u16) -> Result<(Place, Option<listen::Tls>), Failure> {
+    let address = match &arguments.public {
+        Some(url) => url.trim_end_matches('/').to_owned(),
+        None => format!("http://{}", SocketAddr::from((own_address(), port))),
+    };
+    let host = address.split_once("://").map(|(_, rest)| rest.split([':', '/']).next().unwrap_or_default().to_owned());
+    let Some(host) = host.filter(|host| !host.is_empty()) else {
+        return Err(Failure::in_words(
+            words!("{} is no address", address),
+            words("for example `--public https://class.example`"),
+        ));
+    };
+    let is_behind_proxy = arguments.tls.as_deref() == Some("behind-proxy");
+    let tls = match arguments.tls.as_deref().filter(|_| !is_behind_proxy) {
+        None => None,
+        Some(files) => Some(encryption(files)?),
+    };
+    let is_encrypted = arguments.tls.is_some();
+    Ok((Place { address, hosts: vec![host], is_encrypted, is_behind_proxy }, tls))
+}
+
+fn encryption(files: &str) -> Result<listen::Tls, Failure> {
+    let hint = || words("`--tls CERT.pem,KEY.pem`, or `--tls behind-proxy`");
+    let fails = |why: Words| Failure::in_words(why, hint());
+    let Some((certificate, key)) = files.split_once(',') else {
+        return Err(fails(words!("{} names no certificate and key", files)));
+    };
+    listen::tls(Path::new(certificate), Path::new(key)).map_err(|error| fails(Words::same(error.to_string())))
+}
+
+/// Address of this computer in its network; loopback without a network. Nothing is sent: a connected UDP socket only looks up the
+/// route.
+fn own_address() -> Ipv4Addr {
+    let look = || -> io::Result<SocketAddr> {
+        let socket = UdpSocket::bind((Ipv4Addr::UNSPECIFIED, 0))?;
+        // An address for documentation (RFC 5737).
+        socket.connect((Ipv4Addr::new(192, 0, 2, 1), 9))?;
+        socket.local_addr()
+    };
+    match look() {
+        Ok(SocketAddr::V4(address)) if !address.ip().is_unspecified() => *address.ip(),
+        _ => Ipv4Addr::LOCALHOST,
+    }
+}
+
+/// Prints how students and the teacher get in.
+fn announce(server: &Server, class: &Arc<Class>, place: &Place, port: u16, terminal: Terminal) -> Result<(), Failure> {
+    let Some(link) = server.classes().link(class) else {
+        return Err(network(&io::Error::other("getrandom")));
+    };
+    let base = if place.is_encrypted { place.address.clone() } else { format!("http://127.0.0.1:{port}") };
+    let language = terminal.language;
+    let (students, code) = (language.say("Students"), language.say("code"));
+    let (teacher, once) = (language.say("Teacher"), language.say("this link works once"));
+    let ends = language.say("Ctrl-C ends the server; the class stays in");
+    terminal.print(&format!(
+        "{}\n{students}: {}   {code}: {}\n{teacher} ({once}): {base}/teacher#link={link}\n{ends} {}\n",
+        qr::terminal(&place.join_address(class.code())),
+        place.address,
+        class.code(),
+        server.classes().store().path().display(),
+    ));
+    Ok(())
+}

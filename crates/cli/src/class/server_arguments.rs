@@ -1,0 +1,123 @@
+//! Arguments of the commands for a class server.
+
+use clap::{Args, Subcommand};
+use std::path::PathBuf;
+
+/// File of a store if none is named.
+const STORE: &str = "meniscus-class.sqlite";
+
+/// The commands for a class server.
+#[derive(Debug, Subcommand)]
+pub enum ClassServer {
+    /// Serve documents to a class: students join with a code, and the dashboard fills while they work
+    #[command(after_help = SERVE_EXAMPLES)]
+    Serve(ServeClass),
+    /// Write all classes of a store into a new file; a server may run meanwhile
+    Backup(Backup),
+    /// Take classes from a backup; erased seats and classes whose time is over are left out
+    Restore(Restore),
+    /// Erase a seat, or everything
+    Erase(Erase),
+    /// Write all hand-ins and answers to surveys of the latest class into a folder
+    Export(ExportClass),
+}
+
+const SERVE_EXAMPLES: &str = "\
+Examples:
+  meniscus class serve tube.md                     a class in the local network
+  meniscus class serve tube.md --lab --keep 7      with records, films and fits; erased after 7 days
+  meniscus class serve tube.md --public https://class.example --tls behind-proxy --port 8080
+
+The screen shows the address and the code for students, and a link for the teacher, which works once. A second start with the same store
+goes on with the class; --new begins another one. Without --tls the dashboard answers to this computer only.";
+
+/// The file of a store.
+#[derive(Debug, Args)]
+pub struct StoreFile {
+    /// File with the classes
+    #[arg(long, value_name = "FILE", default_value = STORE)]
+    pub store: PathBuf,
+}
+
+/// `meniscus class serve`
+#[derive(Debug, Args)]
+pub struct ServeClass {
+    /// Documents for the class
+    #[arg(value_name = "DOC", required = true)]
+    pub documents: Vec<PathBuf>,
+
+    /// Give students the laboratory: records, films and fits
+    #[arg(long)]
+    pub lab: bool,
+
+    /// Port [default: the first free one from 4250]
+    #[arg(long, value_name = "N")]
+    pub port: Option<u16>,
+
+    #[command(flatten)]
+    pub file: StoreFile,
+
+    /// Days after which a new class is erased
+    #[arg(long, value_name = "DAYS", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=3650))]
+    pub keep: u32,
+
+    /// Begin a new class even if the store has one
+    #[arg(long)]
+    pub new: bool,
+
+    /// Address under which students reach the server, such as https://class.example
+    #[arg(long, value_name = "URL")]
+    pub public: Option<String>,
+
+    /// Encryption: certificate and key as files in PEM, or `behind-proxy` if a proxy in front of the server does it
+    #[arg(long, value_name = "CERT,KEY", requires = "public")]
+    pub tls: Option<String>,
+}
+
+/// `meniscus class backup`
+#[derive(Debug, Args)]
+pub struct Backup {
+    #[command(flatten)]
+    pub file: StoreFile,
+
+    /// The new file
+    #[arg(long, short, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
+/// `meniscus class restore`
+#[derive(Debug, Args)]
+pub struct Restore {
+    /// The backup
+    #[arg(value_name = "BACKUP")]
+    pub backup: PathBuf,
+
+    #[command(flatten)]
+    pub file: StoreFile,
+}
+
+/// `meniscus class erase`
+#[derive(Debug, Args)]
+pub struct Erase {
+    #[command(flatten)]
+    pub file: StoreFile,
+
+    /// Seat of the latest class to erase
+    #[arg(long, value_name = "N", required_unless_present = "all", conflicts_with = "all")]
+    pub seat: Option<u32>,
+
+    /// Erase all classes of the store
+    #[arg(long)]
+    pub all: bool,
+}
+
+/// `meniscus class export`
+#[derive(Debug, Args)]
+pub struct ExportClass {
+    #[command(flatten)]
+    pub file: StoreFile,
+
+    /// Folder for the files, which is made if there is none
+    #[arg(long, short, value_name = "FOLDER")]
+    pub output: PathBuf,
+}

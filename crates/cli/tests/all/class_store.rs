@@ -1,0 +1,83 @@
+//! `meniscus class export`, `backup`, `erase` and `restore`.
+
+use crate::common::meniscus;
+use serde_json::json;
+use server::class::Classes;
+use server::fold::PART;
+use server::store::NewEvent;
+use server::{Store, now};
+use std::path::Path;
+use units::Language;
+
+/// A store with the hand-ins of these students and a sheet.
+fn store(path: &Path, typed: &[&str]) {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    runtime.block_on(async {
+        let store = Store::open(path).unwrap();
+        let classes = Classes::open(store.clone(), Language::English, now()).await.unwrap();
+        let class = classes.begin("Tubes", 30, Language::English, now()).await.unwrap();
+        for typed in typed {
+            let seat = classes.join(class.code()).await.unwrap().unwrap().seat;
+            let parts = [
+                ("documents", json!([{ "name": "tube.md", "text": format!("# {typed}") }])),
+                ("state", json!("")),
+                ("order", json!([])),
+                ("head", json!({ "program": "0.1.0", "sender": {} })),
+            ];
+            let event = |((part, value), seq): ((&str, _), u64)| {
+                let body = json!({ "document": "tube.md", "part": part, "value": value }).to_string();
+                NewEvent { seq, kind: PART, body }
+            };
+            let events = parts.into_iter().zip(1..).map(event).collect();
+            store.append(class.id().to_owned(), seat, now(), events).await.unwrap();
+        }
+        store.add_sheet(class.id().to_owned(), [7; 16], "{}".to_owned()).await.unwrap();
+    });
+}
+
+#[test]
+fn a_store_is_exported_backed_up_erased_and_restored() {
+    let folder = tempfile::tempdir().unwrap();
+    let [file, backup, out] = ["class.sqlite", "backup.sqlite", "out"].map(|name| folder.path().join(name));
+    let [file, backup, out] = [&file, &backup, &out].map(|path| path.to_str().unwrap());
+    store(Path::new(file), &["first", "second"]);
+    let run = |words: &[&str]| {
+        let done = meniscus(&[&["class"], words].concat());
+        assert_eq!(done.code, 0, "{words:?}: {}", done.stderr);
+        done.stderr
+    };
+    let texts = || {
+        let entries = std::fs::read_dir(out).unwrap().map(|entry| entry.unwrap().path());
+        let mut texts: Vec<String> = entries.map(|path| std::fs::read_to_string(path).unwrap()).collect();
+        texts.sort();
+        std::fs::remove_dir_all(out).unwrap();
+        texts
+    };
+    assert_eq!(run(&["export", "--store", file, "--output", out]), "files written: 3\n");
+    let before = texts();
+    assert!(before[0].contains("# first") && before[1].contains("# second") && before[2] == "{}", "{before:?}");
+    run(&["backup", "--store", file, "--output", backup]);
+    run(&["erase", "--store", file, "--seat", "1"]);
+    assert_eq!(run(&["restore", backup, "--store", file]), "parts restored: 0\n");
+    run(&["export", "--store", file, "--output", out]);
+    assert_eq!(texts(), before[1..]);
+    run(&["erase", "--store", file, "--all"]);
+    assert_eq!(meniscus(&["class", "export", "--store", file, "--output", out]).code, 2);
+}
+
+#[test]
+fn a_file_that_is_no_store_is_named_with_the_remedy() {
+    let folder = tempfile::tempdir().unwrap();
+    let missing = folder.path().join("none.sqlite");
+    let missing = missing.to_str().unwrap();
+    for words in [vec!["erase", "--all"], vec!["export", "-o", "x"], vec!["backup", "-o", "x"]] {
+        let done = meniscus(&[vec!["class"], words, vec!["--store", missing]].concat());
+        assert!(done.code == 2 && done.stderr.contains("none.sqlite"), "{}", done.stderr);
+    }
+    assert!(!Path::new(missing).exists());
+    let text = "Cargo.toml";
+    let done = meniscus(&["class", "restore", text, "--store", missing]);
+    assert!(done.code == 2 && done.stderr.contains("is no store of classes"), "{}", done.stderr);
+    let seat = meniscus(&["class", "erase", "--store", missing]);
+    assert!(seat.code == 2 && seat.stderr.contains("--seat"), "{}", seat.stderr);
+}

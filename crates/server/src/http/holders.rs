@@ -1,0 +1,60 @@
+//! Holders of tokens, as arguments of routes.
+
+use super::answer::{Refusal, refuse};
+use super::state::Server;
+use crate::class::{Class, Holder};
+use axum::extract::FromRequestParts;
+use axum::http::request::Parts;
+use axum::http::{StatusCode, header};
+use std::sync::Arc;
+
+/// The teacher of a class.
+pub struct Teacher(pub Arc<Class>);
+
+/// A student whom the teacher has let in or not.
+pub struct Student(pub Arc<Class>, pub u32);
+
+/// Any student of a class, without a seat.
+pub struct Someone(pub Arc<Class>);
+
+fn holder(parts: &Parts, server: &Server) -> Result<Holder, Refusal> {
+    let token = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok()?.strip_prefix("Bearer "));
+    token.and_then(|token| server.classes.holder(token)).ok_or_else(|| refuse(StatusCode::UNAUTHORIZED, "token"))
+}
+
+fn other() -> Refusal {
+    refuse(StatusCode::FORBIDDEN, "token")
+}
+
+impl FromRequestParts<Arc<Server>> for Teacher {
+    type Rejection = Refusal;
+
+    async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
+        match holder(parts, server)? {
+            Holder::Teacher(class) => Ok(Self(class)),
+            _ => Err(other()),
+        }
+    }
+}
+
+impl FromRequestParts<Arc<Server>> for Student {
+    type Rejection = Refusal;
+
+    async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
+        match holder(parts, server)? {
+            Holder::Student(class, seat) => Ok(Self(class, seat)),
+            _ => Err(other()),
+        }
+    }
+}
+
+impl FromRequestParts<Arc<Server>> for Someone {
+    type Rejection = Refusal;
+
+    async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
+        match holder(parts, server)? {
+            Holder::Survey(class) => Ok(Self(class)),
+            _ => Err(other()),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Routes of the server.
+//!
+//! | path | for | content |
+//! |---|---|---|
+//! | `/`, `/d/NAME`, `/stored` | everyone | list of the documents, a document, *What is stored* |
+//! | `/api/join` | everyone | a code for a token |
+//! | `/api/state`, `/api/stream`, `/api/events`, `/api/mine`, `/api/erase`, `/api/others`, `/api/file/NAME` | students | settings, hand-ins, own data |
+//! | `/api/survey` | students, without their seat | answers to surveys |
+//! | `/teacher`, `/api/teacher/..` | the teacher | dashboard, settings, events, hand-ins |
+//!
+//! Tokens stand in the header `Authorization`; there are no cookies, so that no other page can act for a student or teacher.
+
+mod answer;
+mod gate;
+mod guard;
+mod holders;
+mod mine;
+mod routes;
+mod state;
+mod stream;
+mod student;
+mod tally;
+mod teacher;
+
+pub use answer::LARGEST;
+pub use state::{Peer, Place, Server};

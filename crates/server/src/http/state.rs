@@ -1,0 +1,60 @@
+//! A server with its classes, pages and limits.
+
+use super::gate::Gate;
+use super::tally::Tallies;
+use crate::class::Classes;
+use crate::pages::Pages;
+use std::net::IpAddr;
+use std::sync::Arc;
+use tokio::sync::Semaphore;
+
+/// Sum of the bodies that are read at the same time, in KiB.
+const BODIES: usize = 96 << 10;
+
+/// Where and how the server is reached.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Address of the page for students, without a slash at its end.
+    pub address: String,
+    /// Host names under which the server answers, besides IP addresses and `localhost`.
+    pub hosts: Vec<String>,
+    /// Connections are encrypted, here or by a proxy: the dashboard answers to every address.
+    pub is_encrypted: bool,
+    /// The address of a client is in the last entry of `X-Forwarded-For`.
+    pub is_behind_proxy: bool,
+}
+
+impl Place {
+    /// Address with the code of a class, for its QR code.
+    pub fn join_address(&self, code: &str) -> String {
+        format!("{}/#join={code}", self.address)
+    }
+}
+
+/// Address of a client.
+#[derive(Clone, Copy, Debug)]
+pub struct Peer(pub IpAddr);
+
+/// A server: classes, pages, limits.
+#[derive(Debug)]
+pub struct Server {
+    pub(super) classes: Classes,
+    pub(super) pages: Pages,
+    pub(super) place: Place,
+    pub(super) gate: Gate,
+    pub(super) bodies: Semaphore,
+    pub(super) tallies: Tallies,
+}
+
+impl Server {
+    /// A server of these classes.
+    pub fn new(classes: Classes, pages: Pages, place: Place) -> Arc<Self> {
+        let (gate, tallies) = (Gate::default(), Tallies::default());
+        Arc::new(Self { classes, pages, place, gate, bodies: Semaphore::new(BODIES), tallies })
+    }
+
+    /// The classes.
+    pub fn classes(&self) -> &Classes {
+        &self.classes
+    }
+}

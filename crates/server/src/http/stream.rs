@@ -1,0 +1,127 @@
+//! Streams of events, resumed by number, and polling where a proxy swallows streams.
+
+use super::answer::{self, Refusal};
+use super::holders::{Student, Teacher};
+use super::state::Server;
+use super::student;
+use crate::class::Class;
+use crate::fold::Part;
+use crate::store::{EventRow, Fault, Store};
+use crate::time::now;
+use axum::body::{Body, Bytes};
+use axum::extract::State;
+use axum::http::{Uri, header};
+use axum::response::{IntoResponse, Response};
+use futures_util::stream::{self, Stream};
+use serde_json::{Value, json};
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::watch;
+use tokio::time::{sleep, timeout};
+
+/// Time after which a silent stream sends a comment, so that a proxy does not end it.
+const SILENCE: Duration = Duration::from_secs(15);
+/// Pause of a stream after a message: many hand-ins of one moment make one message.
+const PAUSE: Duration = Duration::from_millis(200);
+/// Number of events in one message.
+const PORTION: u32 = 500;
+/// Longest wait of a poll, in seconds.
+const LONGEST_WAIT: u64 = 25;
+
+/// Number in the query of an address; 0 if there is none.
+fn number(address: &Uri, name: &str) -> u64 {
+    let mut pairs = address.query().unwrap_or_default().split('&').filter_map(|pair| pair.split_once('='));
+    pairs.find_map(|(own, value)| (own == name).then(|| value.parse().ok())?).unwrap_or(0)
+}
+
+fn events(messages: impl Stream<Item = Result<Bytes, Infallible>> + Send + 'static) -> Response {
+    let headers =
+        [(header::CONTENT_TYPE, "text/event-stream"), (header::HeaderName::from_static("x-accel-buffering"), "no")];
+    (headers, Body::from_stream(messages)).into_response()
+}
+
+fn message(id: Option<u64>, data: &Value) -> Bytes {
+    let id = id.map_or_else(String::new, |id| format!("id: {id}\n"));
+    format!("{id}data: {data}\n\n").into()
+}
+
+/// Waits for a change. Returns false if there will be none.
+async fn changed<T>(receiver: &mut watch::Receiver<T>) -> Option<bool> {
+    match timeout(SILENCE, receiver.changed()).await {
+        Ok(Ok(())) => Some(true),
+        Ok(Err(_)) => None,
+        Err(_) => Some(false),
+    }
+}
+
+/// State of the class for a student: at once, and after each change.
+pub async fn of_student(Student(class, seat): Student) -> Response {
+    let mut receiver = class.follow_settings();
+    receiver.mark_changed();
+    events(stream::unfold((class, receiver), move |(class, mut receiver)| async move {
+        if !changed(&mut receiver).await? {
+            // The seat may have been erased.
+            class.seat(seat)?;
+            return Some((Ok(Bytes::from_static(b":\n\n")), (class, receiver)));
+        }
+        let state = student::state_of(&class, seat)?;
+        Some((Ok(message(None, &state)), (class, receiver)))
+    }))
+}
+
+/// Events after a number, and the seats.
+async fn news(class: &Class, store: &Store, since: u64) -> Result<(u64, bool, Value), Fault> {
+    let events = store.events(class.id().to_owned(), since, PORTION).await?;
+    let is_whole = events.len() < PORTION as usize;
+    let last = events.last().map_or(since, |event| event.number);
+    let events: Vec<Value> = events.iter().map(line).collect();
+    let seats: Vec<Value> = class
+        .seats()
+        .into_iter()
+        .map(|seat| json!({ "seat": seat.seat, "pseudonym": seat.pseudonym, "approved": seat.approved }))
+        .collect();
+    let settings = class.settings();
+    Ok((last, is_whole, json!({ "last": last, "now": now(), "events": events, "seats": seats, "settings": settings })))
+}
+
+/// An event without its content.
+fn line(event: &EventRow) -> Value {
+    let document = serde_json::from_str::<Part>(&event.body).map(|part| part.document).unwrap_or_default();
+    json!({ "number": event.number, "seat": event.seat, "at": event.at, "kind": event.kind, "document": document })
+}
+
+/// Events of the class for the teacher.
+pub async fn of_teacher(State(server): State<Arc<Server>>, Teacher(class): Teacher, address: Uri) -> Response {
+    let since = number(&address, "since");
+    let mut receiver = class.follow_events();
+    receiver.mark_changed();
+    events(stream::unfold((server, class, receiver, since), |(server, class, mut receiver, since)| async move {
+        if !changed(&mut receiver).await? {
+            return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, since)));
+        }
+        sleep(PAUSE).await;
+        let (last, is_whole, news) = news(&class, server.classes.store(), since).await.ok()?;
+        if !is_whole {
+            receiver.mark_changed();
+        }
+        Some((Ok(message(Some(last), &news)), (server, class, receiver, last)))
+    }))
+}
+
+/// The same as one message, after a wait of at most `wait` seconds.
+pub async fn poll(
+    State(server): State<Arc<Server>>,
+    Teacher(class): Teacher,
+    address: Uri,
+) -> Result<Response, Refusal> {
+    let (since, wait) = (number(&address, "since"), number(&address, "wait"));
+    let mut receiver = class.follow_events();
+    let store = server.classes.store();
+    let mut found = news(&class, store, since).await?;
+    if found.0 == since && wait > 0 {
+        let _ = timeout(Duration::from_secs(wait.min(LONGEST_WAIT)), receiver.changed()).await;
+        found = news(&class, store, since).await?;
+    }
+    Ok(answer::json(found.2))
+}

@@ -1,0 +1,168 @@
+//! Routes for students.
+
+use super::answer::{self, LARGEST, Refusal, refuse};
+use super::guard;
+use super::holders::{Someone, Student};
+use super::state::{Peer, Server};
+use crate::class::Class;
+use crate::codes;
+use crate::fold::{PART, Part};
+use crate::store::{Fault, NewEvent};
+use crate::time::now;
+use axum::Extension;
+use axum::body::Body;
+use axum::extract::{Path, Request, State};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
+use saved::survey::LONGEST_SHEET;
+use serde::Deserialize;
+use serde_json::value::RawValue;
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+/// Maximum number of events in one request.
+const MOST_EVENTS: usize = 5000;
+/// Maximum size of the other bodies, in bytes.
+const SMALL: usize = 1 << 12;
+
+/// List of the documents.
+pub async fn index(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
+    server.pages.index().respond(&headers)
+}
+
+/// A document.
+pub async fn document(State(server): State<Arc<Server>>, Path(name): Path<String>, headers: HeaderMap) -> Response {
+    match server.pages.document(&name) {
+        Some(page) => page.respond(&headers),
+        None => refuse(StatusCode::NOT_FOUND, "missing").into_response(),
+    }
+}
+
+/// *What is stored*.
+pub async fn stored(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
+    server.pages.stored().respond(&headers)
+}
+
+#[derive(Deserialize)]
+struct Join {
+    code: String,
+}
+
+/// Exchanges a code for a token.
+pub async fn join(
+    State(server): State<Arc<Server>>,
+    peer: Option<Extension<Peer>>,
+    request: Request<Body>,
+) -> Result<Response, Refusal> {
+    let Some(Extension(peer)) = peer else { return Err(refuse(StatusCode::FORBIDDEN, "place")) };
+    let address = guard::client(request.headers(), peer, &server.place);
+    let Join { code } = answer::body(&server, request, SMALL).await?;
+    let Some(pass) = server.gate.enter(address).await else {
+        return Err(refuse(StatusCode::TOO_MANY_REQUESTS, "wait"));
+    };
+    match server.classes.join(&code).await {
+        Ok(Some(joined)) => Ok(answer::json(joined)),
+        Ok(None) => {
+            server.gate.count_wrong(address);
+            let status = if pass.is_limited() { StatusCode::TOO_MANY_REQUESTS } else { StatusCode::NOT_FOUND };
+            Err(refuse(status, "code"))
+        }
+        Err(fault) => Err(fault.into()),
+    }
+}
+
+/// State of the class for a student; `None` if the seat was erased.
+pub fn state_of(class: &Class, seat: u32) -> Option<Value> {
+    let (settings, now) = (class.settings(), now());
+    let approved = class.seat(seat)?.approved;
+    Some(json!({ "now": now, "accepts": settings.accepts(now), "approved": approved, "settings": settings }))
+}
+
+/// State of the class, for pages that cannot have a stream.
+pub async fn state(Student(class, seat): Student) -> Response {
+    match state_of(&class, seat) {
+        Some(state) => answer::json(state),
+        None => refuse(StatusCode::UNAUTHORIZED, "token").into_response(),
+    }
+}
+
+#[derive(Deserialize)]
+struct Sent {
+    seq: u64,
+    document: String,
+    part: String,
+    value: Box<RawValue>,
+}
+
+#[derive(Deserialize)]
+struct Batch {
+    events: Vec<Sent>,
+}
+
+/// Stores parts of hand-ins. The answer is sent when they are on disk.
+pub async fn events(
+    State(server): State<Arc<Server>>,
+    Student(class, seat): Student,
+    request: Request<Body>,
+) -> Result<Response, Refusal> {
+    let at = now();
+    if !class.seat(seat).is_some_and(|seat| seat.approved) {
+        return Err(refuse(StatusCode::FORBIDDEN, "approval"));
+    }
+    if !class.settings().accepts(at) {
+        return Err(refuse(StatusCode::FORBIDDEN, "closed"));
+    }
+    let Batch { events } = answer::body(&server, request, LARGEST).await?;
+    let events: Option<Vec<NewEvent>> = events.into_iter().map(|event| event.checked(&server)).collect();
+    let Some(events) = events.filter(|events| (1..=MOST_EVENTS).contains(&events.len())) else {
+        return Err(refuse(StatusCode::BAD_REQUEST, "body"));
+    };
+    let bytes: usize = events.iter().map(|event| event.body.len()).sum();
+    if !class.has_room(seat, bytes as u64) {
+        return Err(Fault::SeatFull.into());
+    }
+    let outcome = server.classes.store().append(class.id().to_owned(), seat, at, events).await?;
+    if outcome.added > 0 {
+        class.note_size(seat, bytes as u64);
+    }
+    class.tell(outcome.number);
+    Ok(answer::json(json!({ "highest": outcome.highest, "now": at })))
+}
+
+impl Sent {
+    /// The event to store; `None` if it is no part of a hand-in of a document of this server.
+    fn checked(self, server: &Server) -> Option<NewEvent> {
+        let Self { seq, document, part, value } = self;
+        let part = Part { document, part, value };
+        let is_known = part.is_known() && server.pages.document(&part.document).is_some();
+        let is_numbered = (1..1 << 53).contains(&seq);
+        (is_known && is_numbered).then_some(())?;
+        Some(NewEvent { seq, kind: PART, body: serde_json::to_string(&part).ok()? })
+    }
+}
+
+/// Answers of others and their results, as far as the teacher shows them.
+pub async fn others(State(server): State<Arc<Server>>, Student(class, seat): Student) -> Result<Response, Refusal> {
+    let settings = class.settings();
+    if !settings.results && !settings.others {
+        return Ok(answer::json(json!({ "questions": [] })));
+    }
+    let tally = server.tallies.of(&class, server.classes.store()).await?;
+    Ok(answer::json(tally.for_student(seat, &settings)))
+}
+
+/// Stores the answers of one person to a survey, without seat and time.
+pub async fn survey(
+    State(server): State<Arc<Server>>,
+    Someone(class): Someone,
+    request: Request<Body>,
+) -> Result<Response, Refusal> {
+    if !class.settings().accepts(now()) {
+        return Err(refuse(StatusCode::FORBIDDEN, "closed"));
+    }
+    let sheet: Box<RawValue> = answer::body(&server, request, LONGEST_SHEET).await?;
+    let id = codes::identifier().ok_or(Fault::Ending)?;
+    let sheet = sheet.get().to_owned();
+    server.classes.store().add_sheet(class.id().to_owned(), id, sheet).await?;
+    Ok(answer::json(json!({})))
+}

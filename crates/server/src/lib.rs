@@ -1,0 +1,29 @@
+//! The class server: students join with a code, their hand-ins are stored durably part by part, and the teacher follows them live.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`store`] | the log of events in one file: group commit, erasing, backups |
+//! | [`class`] | classes, seats and their tokens in memory |
+//! | [`fold`] | hand-ins as a fold over the events of a seat |
+//! | [`http`] | routes for students and teacher, guards and limits |
+//! | [`pages`] | pages of the students and the teacher |
+//! | [`listen`] | connections, also with TLS |
+//!
+//! Everything that is shown is a fold over an append-only log. A part of a hand-in is acknowledged when it is on disk, and sending
+//! it again adds nothing.
+
+pub mod class;
+pub mod codes;
+pub mod export;
+pub mod fold;
+pub mod http;
+pub mod listen;
+pub mod pages;
+pub mod pseudonyms;
+pub mod qr;
+pub mod store;
+mod texts;
+mod time;
+
+pub use store::{Fault, Store};
+pub use time::now;

@@ -1,0 +1,359 @@
+// Class page of a student: joins, keeps each part of a hand-in in the browser until the server has it on disk, and follows the class.
+(() => {
+  "use strict";
+  const { parts, hash } = handInParts;
+  const config = JSON.parse(document.getElementById("class-config").textContent);
+  const server = config.server || location.origin;
+  const words = () => config.texts[(document.documentElement.lang || "en").slice(0, 2)] || config.texts.en;
+
+  // Storage of the browser; without it, everything lives as long as the page.
+  const memory = {};
+  let stores = true;
+  const PREFIX = `meniscus-class:${server}:`;
+  const load = (key, otherwise) => {
+    try {
+      const text = localStorage.getItem(PREFIX + key);
+      if (text !== null) return JSON.parse(text);
+    } catch { stores = false; }
+    return key in memory ? memory[key] : otherwise;
+  };
+  const keep = (key, value) => {
+    memory[key] = value;
+    try { localStorage.setItem(PREFIX + key, JSON.stringify(value)); delete memory[key]; stores = true; }
+    catch {
+      // A text that is outdated must not win over the one in memory.
+      try { localStorage.removeItem(PREFIX + key); } catch { /* Nothing is stored. */ }
+      stores = false;
+    }
+  };
+
+  // The file for a class has the seat of the student who has saved it.
+  let seat = load("seat", config.own);
+  let state = null;
+  let problem = "";
+  let offset = 0;
+
+  // The code of a QR code is in the fragment, which a simulation would take for a state of its own.
+  const scanned = (location.hash.match(/^#join=([A-Za-z0-9]+)$/) || [])[1];
+  if (scanned) history.replaceState(null, "", location.pathname + location.search);
+  // Values of a seat are set before the simulation begins.
+  if (seat && config.seats && !location.hash) history.replaceState(null, "", `#seat=${seat.seat}`);
+
+  const ask = async (path, { body, token, signal } = {}) => {
+    const headers = {};
+    if (token) headers.authorization = `Bearer ${token}`;
+    if (body !== undefined) headers["content-type"] = "application/json";
+    const options = { method: body === undefined ? "GET" : "POST", body, headers, signal, cache: "no-store", credentials: "omit" };
+    return fetch(server + path, options);
+  };
+  const why = async (response) => { try { return (await response.json()).why || ""; } catch { return ""; } };
+
+  // Outbox: parts with their numbers. A part that waits is replaced by a later form of it.
+  const put = (text) => {
+    const known = load("known", {});
+    const waiting = load("waiting", []);
+    let seq = Math.max(load("seq", 0), ...waiting.map((one) => one.seq));
+    let changed = false;
+    const own = (part) => (one) => one.document === config.document && one.part === part;
+    for (const [part, value] of parts(text)) {
+      const key = `${config.document}\n${part}`;
+      const stamp = hash(value);
+      if (known[key] === stamp || (part === "head" && !changed && key in known)) continue;
+      known[key] = stamp;
+      changed = true;
+      const before = waiting.findIndex(own(part));
+      if (before >= 0) waiting.splice(before, 1);
+      waiting.push({ seq: ++seq, document: config.document, part, value });
+    }
+    if (!changed) return;
+    keep("seq", seq);
+    keep("waiting", waiting);
+    keep("known", known);
+    show();
+    send();
+  };
+
+  const LARGEST = 6 << 20;
+  const FIRST = 1000, LONGEST = 30000;
+  let sending = false, pause = FIRST, timer = 0;
+  const later = () => {
+    clearTimeout(timer);
+    timer = setTimeout(send, pause * (0.75 + Math.random() / 2));
+    pause = Math.min(2 * pause, LONGEST);
+  };
+  const send = async () => {
+    clearTimeout(timer);
+    const waiting = load("waiting", []);
+    if (sending || !seat || !waiting.length) return;
+    sending = true;
+    let size = 0;
+    const batch = waiting.filter((one, at) => (size += one.value.length) < LARGEST || at === 0);
+    const body = `{"events":[${batch.map((one) => `{"seq":${one.seq},"document":${JSON.stringify(one.document)},` +
+      `"part":${JSON.stringify(one.part)},"value":${one.value}}`).join(",")}]}`;
+    try {
+      const response = await ask("/api/events", { body, token: seat.token });
+      if (response.ok) {
+        const { highest } = await response.json();
+        const isIn = (one) => batch.some((sent) => sent.seq === one.seq && sent.part === one.part && sent.document === one.document);
+        const left = load("waiting", []).filter((one) => !isIn(one));
+        keep("seq", Math.max(load("seq", 0), highest));
+        keep("waiting", left);
+        [problem, pause] = ["", FIRST];
+        if (left.length) timer = setTimeout(send, 0);
+      } else if (response.status === 409) {
+        // Another device of this seat has used the numbers.
+        let seq = Math.max(load("seq", 0), (await response.json()).highest);
+        keep("waiting", load("waiting", []).map((one) => ({ ...one, seq: ++seq })));
+        keep("seq", seq);
+        timer = setTimeout(send, 0);
+      } else if (response.status === 401) {
+        leave(words().token);
+      } else {
+        const reason = await why(response);
+        problem = ["closed", "approval", "store"].includes(reason) ? reason : response.status < 500 && response.status !== 429 ? "refused" : "unreachable";
+        later();
+      }
+    } catch {
+      problem = "unreachable";
+      later();
+    }
+    sending = false;
+    show();
+  };
+  addEventListener("online", () => { pause = FIRST; send(); });
+
+  // The page offers a hand-in or answers to a survey to the browser as a file; both are taken here, too.
+  const blobs = new Map();
+  const create = URL.createObjectURL, revoke = URL.revokeObjectURL, click = HTMLAnchorElement.prototype.click;
+  URL.createObjectURL = (blob) => { const url = create.call(URL, blob); blobs.set(url, blob); return url; };
+  URL.revokeObjectURL = (url) => { blobs.delete(url); revoke.call(URL, url); };
+  let quiet = false, asked = 0;
+  addEventListener("class-hand-in-made", (event) => put(event.detail));
+  HTMLAnchorElement.prototype.click = function () {
+    const blob = blobs.get(this.href);
+    if (blob && seat && this.download.endsWith(".hand-in")) {
+      blob.text().then(put).catch(() => { problem = "refused"; show(); });
+      if (quiet) return;
+    }
+    if (blob && seat && this.download.endsWith(".survey")) blob.text().then(sheet);
+    click.call(this);
+  };
+  // A page with a form for hand-ins hands in by itself when something was done, and every half minute.
+  const byItself = () => {
+    const [name, save] = ["hand-in-name", "save-hand-in"].map((id) => document.getElementById(id));
+    if (seat && document.documentElement.dataset.class === "ready" && Date.now() - asked > 15000) {
+      // The laboratory answers if its records, films, fits or answers have changed.
+      asked = Date.now();
+      dispatchEvent(new CustomEvent("class-hand-in-asked", { detail: seat.pseudonym }));
+    }
+    if (!seat || !name || !save || save.closest("dialog")?.open || save.getAttribute("aria-disabled")) return;
+    if (!name.value) { name.value = seat.pseudonym; name.dispatchEvent(new Event("input", { bubbles: true })); }
+    quiet = true;
+    try { save.click(); } finally { quiet = false; }
+  };
+  let soon = 0;
+  for (const kind of ["click", "change", "keyup"]) {
+    addEventListener(kind, (event) => {
+      if (!event.isTrusted || event.target.closest?.("#class-bar")) return;
+      clearTimeout(soon);
+      soon = setTimeout(byItself, 1500);
+    }, { capture: true, passive: true });
+  }
+  setInterval(byItself, 30000);
+  addEventListener("visibilitychange", () => { if (document.hidden) byItself(); else { pause = FIRST; send(); follow(); } });
+
+  // Answers to a survey go at a random time within ten minutes, without the seat.
+  const sheet = (text) => {
+    const sheets = load("sheets", {});
+    if (sheets[config.document]?.sent) return;
+    sheets[config.document] = { text, due: Date.now() + 60000 + Math.random() * 540000 };
+    keep("sheets", sheets);
+    said = words().sheet;
+    show();
+  };
+  setInterval(async () => {
+    const sheets = load("sheets", {});
+    for (const [name, one] of Object.entries(sheets)) {
+      if (!seat || one.sent || one.due > Date.now()) continue;
+      try {
+        const response = await ask("/api/survey", { body: one.text, token: seat.survey });
+        if (response.ok) { sheets[name] = { sent: true }; keep("sheets", sheets); }
+      } catch { /* It is tried again. */ }
+    }
+  }, 15000);
+
+  // State of the class: as a stream, or by asking where a proxy keeps streams back.
+  let following = null;
+  const SILENCE = 4000, ASK = 4000;
+  const take = (text) => {
+    state = JSON.parse(text);
+    offset = state.now - Date.now();
+    if (["closed", "approval"].includes(problem) && state.accepts && state.approved) { problem = ""; pause = FIRST; send(); }
+    show();
+  };
+  const follow = async () => {
+    if (!seat || following) return;
+    const control = following = new AbortController();
+    const alive = () => following === control && seat;
+    const wait = (time) => new Promise((done) => setTimeout(done, time));
+    while (alive()) {
+      let heard = false;
+      try {
+        const stream = new AbortController();
+        const watch = setTimeout(() => { if (!heard) stream.abort(); }, SILENCE);
+        const response = await ask("/api/stream", { token: seat.token, signal: stream.signal });
+        if (response.status === 401) return leave(words().token);
+        const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+        let rest = "";
+        for (;;) {
+          const { value, done } = await reader.read();
+          if (done) break;
+          heard = true;
+          clearTimeout(watch);
+          const messages = (rest + value).split("\n\n");
+          rest = messages.pop();
+          for (const message of messages) if (message.startsWith("data: ")) take(message.slice(6));
+          if (!alive()) return void stream.abort();
+          if (problem === "unreachable") { pause = FIRST; send(); }
+        }
+      } catch { /* It is tried again. */ }
+      if (!alive()) return;
+      try {
+        const response = await ask("/api/state", { token: seat.token });
+        if (response.status === 401) return leave(words().token);
+        if (response.ok) take(await response.text());
+      } catch { problem = "unreachable"; show(); }
+      await wait(ASK * (0.75 + Math.random() / 2));
+    }
+  };
+
+  const join = async (code) => {
+    try {
+      const response = await ask("/api/join", { body: JSON.stringify({ code }) });
+      if (!response.ok) {
+        const reason = await why(response);
+        said = response.status === 429 ? words().code_wait : reason === "code" ? words().code_wrong : words().unreachable;
+        return show();
+      }
+      seat = await response.json();
+      keep("seat", seat);
+      // All of the work here is handed in from the new seat, too.
+      keep("known", {});
+      try { localStorage.setItem("meniscus:hand-in-name", seat.pseudonym); } catch { /* The form asks for a name. */ }
+      if (stores) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
+      start();
+    } catch {
+      said = words().unreachable;
+      show();
+    }
+  };
+  const leave = (sentence) => {
+    [seat, state, following, problem, said] = [null, null, null, "", sentence];
+    keep("seat", null);
+    keep("known", {});
+    show();
+  };
+
+  const save = async (path, name, change = (text) => text) => {
+    let response;
+    try { response = await ask(path, { token: seat.token }); } catch { /* Said below. */ }
+    if (!response?.ok) { said = words().unreachable; return show(); }
+    const link = document.createElement("a");
+    link.href = create.call(URL, new Blob([change(await response.text())], { type: response.headers.get("content-type") }));
+    link.download = name;
+    click.call(link);
+    setTimeout(() => revoke.call(URL, link.href), 10000);
+  };
+
+  // The line of the class at the top of the page.
+  let said = "";
+  const bar = document.createElement("div");
+  bar.id = "class-bar";
+  bar.setAttribute("role", "region");
+  const make = (kind, properties = {}, ...children) => {
+    const node = Object.assign(document.createElement(kind), properties);
+    node.append(...children);
+    return node;
+  };
+  const button = (text, action, properties) => make("button", { type: "button", textContent: text, onclick: action, ...properties });
+  const stored = () => make("a", { href: `${server}/stored`, target: "_blank", rel: "noreferrer", textContent: words().stored });
+  const line = () => {
+    const own = words();
+    const count = load("waiting", []).length;
+    const waits = count === 0 ? "" : count === 1 ? own.waits_one : own.waits.replace("#", count);
+    const closes = state?.settings.closes;
+    const accepts = !state || (state.accepts && (!closes || Date.now() + offset < closes));
+    const reason = state && !state.approved ? own.approval : !accepts ? own.closed : problem ? own[problem] : "";
+    const whole = Object.keys(load("known", {})).length ? own.all_in : own.nothing;
+    return [waits || (reason ? "" : whole), reason, stores ? "" : own.keep_open].filter(Boolean).join(" ");
+  };
+  const status = make("span", { id: "class-status" });
+  status.setAttribute("role", "status");
+  let built = "";
+  const show = () => {
+    const own = words();
+    const settings = state?.settings || {};
+    const form = JSON.stringify([seat && seat.seat, document.documentElement.lang, settings.pace, settings.results || settings.others]);
+    if (form !== built) { built = form; build(own, settings); }
+    const left = settings.closes ? Math.ceil((settings.closes - Date.now() - offset) / 60000) : 0;
+    const text = seat ? [line(), left > 0 ? own.closes.replace("#", left) : "", said].filter(Boolean).join(" ") : said;
+    if (status.textContent !== text) status.textContent = text;
+    cover(Boolean(settings.paused), own);
+  };
+  const cover = (covered, own) => {
+    const before = document.getElementById("class-pause");
+    if (!covered) return before?.remove();
+    // A dialog, above any other that is open.
+    const dialog = before || make("dialog", { id: "class-pause", textContent: own.paused, oncancel: (event) => event.preventDefault() });
+    if (!before) document.body.append(dialog);
+    if (!dialog.open) dialog.showModal();
+  };
+  const build = (own, settings) => {
+    bar.setAttribute("aria-label", own.region);
+    if (!seat) {
+      const code = make("input", { className: "code", id: "class-code", maxLength: 16, autocomplete: "off", spellcheck: false, required: true });
+      code.value = config.code || scanned || "";
+      const form = make("form", { onsubmit: (event) => { event.preventDefault(); join(code.value); } },
+        make("label", {}, own.code, code), make("button", { textContent: own.join }));
+      return bar.replaceChildren(form, stored(), status, make("p", { className: "note", textContent: own.joining }));
+    }
+    const parts = [make("strong", { textContent: seat.pseudonym }), status];
+    if (settings.pace && settings.pace !== config.document) {
+      parts.push(make("a", { href: `${server}/d/${encodeURIComponent(settings.pace)}`, textContent: `${own.pace} ${settings.pace}` }));
+    }
+    if (config.document && !config.server) {
+      const withSeat = (text) => text.replace('"own":null', () => `"own":${JSON.stringify(seat)}`);
+      parts.push(button(own.file, () => save(`/api/file/${encodeURIComponent(config.document)}`, `${config.document.split(".")[0]}-class.html`, withSeat), { title: own.file_why }));
+    }
+    if (settings.results || settings.others) {
+      const list = make("ul");
+      const fill = async () => {
+        const response = await ask("/api/others", { token: seat.token });
+        const { questions } = response.ok ? await response.json() : { questions: [] };
+        list.replaceChildren(...questions.map((one, at) => make("li", {},
+          `${own.question} ${at + 1}. `, one.results ? `${own.right.replace("#", one.results.right).replace("$", one.results.answered)}. ` : "", one.others.join(" · "))));
+      };
+      const details = make("details", { id: "class-others", ontoggle: () => { if (details.open) fill().catch(() => {}); } }, make("summary", { textContent: own.others }), list);
+      parts.push(details);
+    }
+    const mine = make("div", {});
+    if (seat.key) mine.append(make("span", {}, `${own.key}: `, make("span", { className: "key", textContent: seat.key })));
+    mine.append(button(own.download, () => save("/api/mine", "my-class.json")), button(own.erase, async () => {
+      if (!confirm(own.erase_sure)) return;
+      try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { keep("waiting", []); leave(own.erased); } }
+      catch { said = own.unreachable; show(); }
+    }), stored());
+    parts.push(make("details", { id: "class-mine" }, make("summary", { textContent: own.more }), mine));
+    bar.replaceChildren(...parts);
+  };
+
+  const start = () => { show(); if (seat) { send(); follow(); setTimeout(byItself, 4000); } };
+  const begin = () => {
+    document.body.prepend(bar);
+    // The language of the page can change.
+    new MutationObserver(show).observe(document.documentElement, { attributes: true, attributeFilter: ["lang"] });
+    setInterval(show, 10000);
+    start();
+  };
+  if (document.readyState === "loading") addEventListener("DOMContentLoaded", begin); else begin();
+})();

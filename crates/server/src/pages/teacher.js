@@ -1,0 +1,205 @@
+// Class page of the teacher: exchanges the one-time link, sets the class, and passes hand-ins to the dashboard as they arrive.
+(() => {
+  "use strict";
+  const config = JSON.parse(document.getElementById("class-config").textContent);
+  const words = () => config.texts[(document.documentElement.lang || "en").slice(0, 2)] || config.texts.en;
+  const KEY = "meniscus-class-teacher";
+  const load = () => { try { return localStorage.getItem(KEY); } catch { return null; } };
+  const keep = (token) => { try { localStorage.setItem(KEY, token); } catch { /* The token lives as long as the page. */ } };
+  let token = load(), about = null, settings = null, seats = [], said = "";
+
+  const ask = (path, { body, signal } = {}) => fetch(path, {
+    method: body === undefined ? "GET" : "POST", body, signal, cache: "no-store", credentials: "omit",
+    headers: { authorization: `Bearer ${token}`, ...(body === undefined ? {} : { "content-type": "application/json" }) },
+  });
+
+  // The link is in the fragment, which the browser sends to nobody. It is taken off before the simulation reads the fragment.
+  const link = (location.hash.match(/^#link=([\w-]+)$/) || [])[1];
+  if (link) history.replaceState(null, "", location.pathname);
+
+  // Hand-ins go to the dashboard one after the other. It announces itself when it has been loaded.
+  const changed = new Map();
+  let passing = false;
+  const isReady = () => document.documentElement.dataset.class === "ready";
+  const pass = async () => {
+    if (passing || !isReady()) return;
+    passing = true;
+    for (const [key, [seat, name]] of changed) {
+      changed.delete(key);
+      const owner = seats.find((one) => one.seat === seat);
+      if (!owner) continue;
+      try {
+        const response = await ask(`/api/teacher/hand-in/${seat}/${encodeURIComponent(name)}`);
+        if (!response.ok) continue;
+        const file = new File([await response.blob()], about.documents.length > 1 ? `${owner.pseudonym} (${name}).hand-in` : `${owner.pseudonym}.hand-in`);
+        dispatchEvent(new CustomEvent("class-hand-in", { detail: file }));
+      } catch {
+        changed.set(key, [seat, name]);
+        break;
+      }
+    }
+    passing = false;
+  };
+  const ready = () => {
+    // The page announces itself before its dialogs exist.
+    if (!document.getElementById("class")) return void setTimeout(ready, 100);
+    dispatchEvent(new Event("class-open"));
+    pass();
+  };
+  addEventListener("class-ready", () => { if (token && about) ready(); });
+  setInterval(pass, 1000);
+
+  const handed = new Set();
+  let since = 0;
+  const take = (news) => {
+    since = news.last;
+    settings = news.settings;
+    seats = news.seats;
+    for (const event of news.events) {
+      if (event.kind !== "part") continue;
+      handed.add(event.seat);
+      changed.set(`${event.seat}\n${event.document}`, [event.seat, event.document]);
+    }
+    said = words().live;
+    show();
+    pass();
+  };
+  const SILENCE = 4000;
+  const follow = async () => {
+    for (;;) {
+      let heard = false;
+      try {
+        const stream = new AbortController();
+        const watch = setTimeout(() => { if (!heard) stream.abort(); }, SILENCE);
+        const response = await ask(`/api/teacher/stream?since=${since}`, { signal: stream.signal });
+        if (response.status === 401) { token = null; said = words().link; return show(); }
+        const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+        let rest = "";
+        for (;;) {
+          const { value, done } = await reader.read();
+          if (done) break;
+          heard = true;
+          clearTimeout(watch);
+          const messages = (rest + value).split("\n\n");
+          rest = messages.pop();
+          for (const message of messages) {
+            const data = message.split("\n").find((line) => line.startsWith("data: "));
+            if (data) take(JSON.parse(data.slice(6)));
+          }
+        }
+      } catch { /* A proxy may keep streams back. */ }
+      try {
+        const response = await ask(`/api/teacher/events?since=${since}&wait=${heard ? 0 : 20}`);
+        if (response.ok) take(await response.json());
+      } catch { said = words().lost; show(); }
+      await new Promise((done) => setTimeout(done, 1000));
+    }
+  };
+
+  const bar = document.createElement("div");
+  bar.id = "class-bar";
+  bar.setAttribute("role", "region");
+  const make = (kind, properties = {}, ...children) => {
+    const node = Object.assign(document.createElement(kind), properties);
+    node.append(...children);
+    return node;
+  };
+  const button = (text, action) => make("button", { type: "button", textContent: text, onclick: action });
+  const set = async (change) => {
+    try {
+      const response = await ask("/api/teacher/settings", { body: JSON.stringify({ ...settings, ...change }) });
+      if (response.ok) ({ settings } = await response.json());
+    } catch { said = words().lost; }
+    show();
+  };
+  const post = async (path, seat) => {
+    try { await ask(path, { body: JSON.stringify({ seat }) }); } catch { said = words().lost; show(); }
+  };
+  const large = () => {
+    const own = words();
+    // A dialog of its own, above that of the dashboard.
+    const cover = make("dialog", { id: "class-large", onclose: () => cover.remove() });
+    const close = button(own.hide, () => cover.close());
+    const code = make("div");
+    code.innerHTML = about.qr;
+    cover.append(make("span", { textContent: about.address }), code, make("b", { textContent: about.code }), close);
+    document.body.append(cover);
+    cover.showModal();
+  };
+  const status = make("span", { id: "class-live" });
+  status.setAttribute("role", "status");
+  const count = make("span");
+  const list = make("ul", { className: "seats" });
+  const boxes = [["open", "open"], ["paused", "pause"], ["approve", "approve_late"], ["results", "results"], ["others", "others_after"]];
+  const inputs = {};
+  const pace = make("select", { onchange: () => set({ pace: pace.value || null }) });
+  const minutes = make("input", { type: "number", min: 0, className: "minutes", onchange: () => set({ closes: minutes.value ? Date.now() + skew + 60000 * minutes.value : null }) });
+  let built = "", listed = "", skew = 0;
+  const show = () => {
+    const own = words();
+    const form = JSON.stringify([Boolean(token && about), document.documentElement.lang]);
+    if (form !== built) { built = form; build(own); }
+    if (status.textContent !== said) status.textContent = said;
+    if (!settings || !token) return;
+    for (const [key] of boxes) inputs[key].checked = settings[key];
+    pace.value = settings.pace || "";
+    count.textContent = own.seats_joined.replace("#", seats.length).replace("$", seats.filter((one) => handed.has(one.seat)).length);
+    const now = JSON.stringify([seats, document.documentElement.lang]);
+    if (now === listed) return;
+    listed = now;
+    list.replaceChildren(...seats.map((one) => {
+      const parts = [make("span", { textContent: one.pseudonym })];
+      if (!one.approved) parts.push(`(${own.waiting})`, button(own.let_in, () => post("/api/teacher/approve", one.seat)));
+      parts.push(button(own.erase_seat, () => {
+        if (confirm(own.erase_seat_sure.replace("#", one.pseudonym))) post("/api/teacher/erase", one.seat);
+      }));
+      return make("li", {}, ...parts);
+    }));
+  };
+  const sheets = async () => {
+    const response = await ask("/api/teacher/sheets");
+    if (!response.ok) return;
+    const files = (await response.json()).sheets.map((text, at) => new File([text], `${at + 1}.survey`));
+    dispatchEvent(new CustomEvent("class-sheets", { detail: files }));
+  };
+  const build = (own) => {
+    bar.setAttribute("aria-label", own.seats);
+    if (!token || !about) return bar.replaceChildren(status);
+    const choices = boxes.map(([key, label]) => {
+      inputs[key] = make("input", { type: "checkbox", id: `class-${key}`, onchange: () => set({ [key]: inputs[key].checked }) });
+      return make("label", {}, inputs[key], own[label]);
+    });
+    pace.replaceChildren(make("option", { value: "", textContent: own.free }),
+      ...about.documents.map((one) => make("option", { value: one.name, textContent: one.title })));
+    bar.replaceChildren(
+      make("span", {}, `${own.address} `, make("b", { textContent: about.address }), ` ${own.with} `, make("b", { className: "key", textContent: about.code })),
+      button(own.qr, large), ...choices, make("label", {}, own.pace_at, pace), make("label", {}, own.close_in, minutes),
+      button(own.sheets, () => sheets().catch(() => { said = own.lost; show(); })), count, status,
+      make("details", { id: "class-seats" }, make("summary", { textContent: own.seats }), list));
+  };
+  const start = async () => {
+    document.body.prepend(bar);
+    new MutationObserver(show).observe(document.documentElement, { attributes: true, attributeFilter: ["lang"] });
+    if (link) {
+      const response = await fetch("/api/teacher/exchange", {
+        method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ link }), credentials: "omit" });
+      if (response.ok) { ({ token } = await response.json()); keep(token); }
+    }
+    const response = token && await ask("/api/teacher/class");
+    if (!response || !response.ok) { token = null; said = words().link; return show(); }
+    about = await response.json();
+    settings = about.settings;
+    skew = about.now - Date.now();
+    show();
+    if (isReady()) ready();
+    follow();
+  };
+  // The dashboard is a dialog, beside which nothing else can be used: the line goes into it while it is open.
+  setInterval(() => {
+    const dialog = document.getElementById("class");
+    const home = dialog?.open ? dialog : document.body;
+    if (bar.parentNode !== home) home.prepend(bar);
+  }, 250);
+  const begin = () => start().catch(() => { said = words().lost; show(); });
+  if (document.readyState === "loading") addEventListener("DOMContentLoaded", begin); else begin();
+})();

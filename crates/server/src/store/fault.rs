@@ -1,0 +1,55 @@
+//! Reasons why the store did not do what was asked.
+
+use std::fmt;
+use units::{Words, words};
+
+/// Reason why the store did not do what was asked.
+#[derive(Debug)]
+pub enum Fault {
+    /// The disk is full, or cannot be written for another reason. Nothing was stored.
+    Unwritable(String),
+    /// The file is no store, or one of a later version.
+    NoStore(String),
+    /// Another event has this number already. Holds the highest number of the seat.
+    Taken(u64),
+    /// The seat has stored as much as it may.
+    SeatFull,
+    /// There is no such class, seat or file.
+    Missing,
+    /// The server is ending.
+    Ending,
+}
+
+impl Fault {
+    /// Description for the user.
+    pub fn words(&self) -> Words {
+        match self {
+            Self::Unwritable(why) => words!("cannot be written: {}", why),
+            Self::NoStore(why) => words!("is no store of classes: {}", why),
+            Self::Taken(_) => words("has another event of this number"),
+            Self::SeatFull => words("has no more room for this seat"),
+            Self::Missing => words("has no such class or seat"),
+            Self::Ending => words("is being closed"),
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.words().english())
+    }
+}
+
+impl std::error::Error for Fault {}
+
+impl From<rusqlite::Error> for Fault {
+    fn from(error: rusqlite::Error) -> Self {
+        match error {
+            rusqlite::Error::QueryReturnedNoRows => Self::Missing,
+            rusqlite::Error::SqliteFailure(failure, _) if failure.code == rusqlite::ErrorCode::NotADatabase => {
+                Self::NoStore(failure.to_string())
+            }
+            error => Self::Unwritable(error.to_string()),
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! A disk that is full.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
+
+use super::{ClassRow, Fault, NewEvent, SeatRow, Store};
+
+fn event(seq: u64) -> NewEvent {
+    NewEvent { seq, kind: "part", body: "x".repeat(2000) }
+}
+
+#[tokio::test]
+async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::open(&folder.path().join("class.sqlite")).unwrap();
+    let class = ClassRow {
+        class: "c".to_owned(),
+        code: "C".to_owned(),
+        title: String::new(),
+        survey: String::new(),
+        created: 0,
+        expires: 1,
+    };
+    store.add_class(class).await.unwrap();
+    let seat = SeatRow { seat: 1, pseudonym: "a".to_owned(), key: [0; 32], approved: true };
+    store.add_seat("c".to_owned(), seat, [1; 32]).await.unwrap();
+    // SQLite answers with the same error as on a full disk.
+    let limit = |pages: i64| {
+        store.alone(move |connection| {
+            connection.query_row(&format!("PRAGMA max_page_count={pages}"), [], |row| row.get::<_, i64>(0))?;
+            Ok(())
+        })
+    };
+    limit(60).await.unwrap();
+    let mut acknowledged = Vec::new();
+    let mut refused = Vec::new();
+    for group in 0..10 {
+        let sends = (1..=20).map(|place| {
+            let seq = 20 * group + place;
+            let store = store.clone();
+            tokio::spawn(async move { (seq, store.append("c".to_owned(), 1, 0, vec![event(seq)]).await) })
+        });
+        for send in sends.collect::<Vec<_>>() {
+            match send.await.unwrap() {
+                (seq, Ok(_)) => acknowledged.push(seq),
+                (seq, Err(Fault::Unwritable(_))) => refused.push(seq),
+                (_, Err(other)) => panic!("{other}"),
+            }
+        }
+    }
+    assert!(!acknowledged.is_empty() && !refused.is_empty());
+    let stored = |store: &Store| {
+        let store = store.clone();
+        async move {
+            store.events_of_seat("c".to_owned(), 1).await.unwrap().iter().map(|event| event.seq).collect::<Vec<_>>()
+        }
+    };
+    let present = stored(&store).await;
+    assert!(acknowledged.iter().all(|seq| present.contains(seq)));
+    limit(1_000_000).await.unwrap();
+    for seq in refused {
+        store.append("c".to_owned(), 1, 0, vec![event(seq)]).await.unwrap();
+    }
+    assert_eq!(stored(&store).await, (1..=200).collect::<Vec<_>>());
+    let whole: String = store
+        .read(|connection| Ok(connection.query_row("PRAGMA integrity_check", [], |row| row.get(0))?))
+        .await
+        .unwrap();
+    assert_eq!(whole, "ok");
+}

@@ -1,0 +1,100 @@
+//! Texts of the pages, in every language, for their scripts.
+
+use serde_json::{Value, json};
+use units::Language;
+
+/// Texts of all languages by their tags.
+pub fn all() -> Value {
+    let mut all = serde_json::Map::new();
+    for language in Language::ALL {
+        let mut own = student(language);
+        if let (Value::Object(own), Value::Object(teacher)) = (&mut own, teacher(language)) {
+            own.extend(teacher);
+        }
+        all.insert(language.tag().to_owned(), own);
+    }
+    Value::Object(all)
+}
+
+fn student(language: Language) -> Value {
+    json!({
+        "region": language.say("Class"),
+        "code": language.say("Code of the class"),
+        "join": language.say("Join"),
+        "joining": language.say(
+            "Joining sends your answers, runs, records and fits to your teacher's computer, under a pseudonym. No name, no address."),
+        "stored": language.say("What is stored"),
+        "code_wrong": language.say("No class has this code. Look at the board again."),
+        "code_wait": language.say("Too many wrong codes were sent from here. Wait a minute and try again."),
+        "unreachable": language.say("The class cannot be reached. Check the network; your work stays here."),
+        "waits_one": language.say("1 part is not handed in yet."),
+        "waits": language.say("# parts are not handed in yet."),
+        "all_in": language.say("Everything is handed in."),
+        "nothing": language.say("Nothing is handed in yet."),
+        "closed": language.say("The class is closed; your work stays here and in the file."),
+        "approval": language.say("Wait until your teacher lets you in."),
+        "refused": language.say("The class refused a part. Press Hand in and send the file to your teacher."),
+        "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
+        "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
+        "token": language.say("This seat does not exist any more. Join again."),
+        "paused": language.say("Your teacher has paused the class."),
+        "pace": language.say("The class works on"),
+        "closes": language.say("Closes in # min"),
+        "file": language.say("Get the file for this class"),
+        "file_why": language.say(
+            "It opens from disk, so that the camera works, also without a network, and hands in when it reaches the class."),
+        "more": language.say("My seat"),
+        "key": language.say("Key for another device"),
+        "download": language.say("Save what is stored of me"),
+        "erase": language.say("Erase what is stored of me"),
+        "erase_sure": language.say("Everything that you handed in to this class will be erased. Go on?"),
+        "erased": language.say("Erased."),
+        "sheet": language.say("Your answers to the survey are sent without your seat, at a random time within ten minutes."),
+        "others": language.say("Answers of the class"),
+        "question": language.say("Question"),
+        "right": language.say("right: # of $"),
+    })
+}
+
+fn teacher(language: Language) -> Value {
+    json!({
+        "link": language.say("Open the teacher's link from the terminal. It works once; a new start of the server prints another one."),
+        "address": language.say("Join at"),
+        "with": language.say("with the code"),
+        "qr": language.say("Show the code large"),
+        "hide": language.say("Hide"),
+        "open": language.say("Class open"),
+        "pause": language.say("Class paused"),
+        "approve_late": language.say("Approve late joiners"),
+        "results": language.say("Show results"),
+        "others_after": language.say("Others' answers after one's own"),
+        "pace_at": language.say("Pace"),
+        "free": language.say("everyone chooses"),
+        "close_in": language.say("Close in (min)"),
+        "seats": language.say("Seats"),
+        "seats_joined": language.say("# joined, $ have handed in"),
+        "let_in": language.say("Let in"),
+        "erase_seat": language.say("Erase"),
+        "erase_seat_sure": language.say("Erase everything that # has handed in?"),
+        "waiting": language.say("waits"),
+        "live": language.say("Live"),
+        "lost": language.say("No connection to the server; it is tried again."),
+        "sheets": language.say("Show the survey"),
+    })
+}
+
+/// Title and lines of *What is stored*.
+pub fn stored(language: Language) -> [&'static str; 8] {
+    language.say_all(
+        [
+            "What is stored",
+            "Stored: a pseudonym, the number of the seat, the answers with all attempts, settings of runs, records, measured points of films, fits, and the time of arrival of each part.",
+            "Not stored, nor written to any log: name, mail, network address, kind of browser, films.",
+            "Answers to surveys are stored apart: without seat, without time, in no order.",
+            "It is stored on the computer on which the teacher has started the class, and nowhere else. The class ends there by itself after the number of days that the teacher chose (30 if nothing was said), and everything is erased, also when a backup is restored later.",
+            "My seat shows what is stored of you, saves it as a file, and erases it at any time.",
+            "The browser keeps the parts that are not handed in yet, and the key of your seat. There are no cookies.",
+            "Names stay on the teacher's device, if the teacher types them beside the pseudonyms.",
+        ],
+    )
+}

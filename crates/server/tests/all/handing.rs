@@ -1,0 +1,112 @@
+//! From joining to the teacher's hand-in.
+
+use crate::client::{Running, parts};
+use saved::hand_in::HandIn;
+use serde_json::json;
+
+#[test]
+fn a_hand_in_of_a_student_reaches_the_teacher() {
+    let folder = tempfile::tempdir().unwrap();
+    let running = Running::start(&folder.path().join("class.sqlite"));
+    let joined = running.join();
+    let token = joined["token"].as_str().unwrap();
+    let sent = running.post("/api/events", token, &json!({ "events": parts(1, "4.5", "correct") })).ok();
+    assert_eq!(sent["highest"], 6);
+
+    let teacher = running.teacher();
+    let news = running.get("/api/teacher/events?since=0", &teacher).ok();
+    let lines = news["events"].as_array().unwrap();
+    assert_eq!(lines.len(), 6);
+    assert!(lines.iter().all(|line| line["document"] == "tube.md" && line["seat"] == 1));
+    assert_eq!(running.get("/api/teacher/events?since=6", &teacher).ok()["events"], json!([]));
+
+    let file = running.get("/api/teacher/hand-in/1/tube.md", &teacher);
+    let hand_in = HandIn::read(&file.body).unwrap();
+    // Of several documents the sender has the name of one.
+    assert_eq!(hand_in.sender.name, format!("{} (tube.md)", joined["pseudonym"].as_str().unwrap()));
+    assert_eq!(hand_in.work.documents[0].text, "# Tube\n\"ñ\u{2028}");
+    assert_eq!(hand_in.work.items.len(), 1);
+    assert!(file.body.contains("0.30000000000000004"), "numbers keep their bits: {}", file.body);
+}
+
+#[test]
+fn a_student_sees_downloads_and_erases_what_is_stored() {
+    let folder = tempfile::tempdir().unwrap();
+    let running = Running::start(&folder.path().join("class.sqlite"));
+    let joined = running.join();
+    let token = joined["token"].as_str().unwrap();
+    running.post("/api/events", token, &json!({ "events": parts(1, "4.5", "correct") })).ok();
+    let mine = running.get("/api/mine", token).ok();
+    assert_eq!(mine["events"].as_array().unwrap().len(), 6);
+    assert!(HandIn::read(mine["hand-ins"][0].as_str().unwrap()).is_ok());
+    running.post("/api/erase", token, &json!({})).ok();
+    assert_eq!(running.get("/api/mine", token).why(), (401, "token".to_owned()));
+    let teacher = running.teacher();
+    let news = running.get("/api/teacher/events?since=0", &teacher).ok();
+    assert_eq!((&news["events"], &news["seats"]), (&json!([]), &json!([])));
+    // The number of an erased seat is not given again.
+    assert_eq!(running.join()["seat"], 2);
+}
+
+#[test]
+fn another_device_takes_the_same_seat_and_numbers_do_not_collide() {
+    let folder = tempfile::tempdir().unwrap();
+    let running = Running::start(&folder.path().join("class.sqlite"));
+    let first = running.join();
+    let second = running.post("/api/join", "", &json!({ "code": first["key"] })).ok();
+    assert_eq!((&second["seat"], &second["pseudonym"]), (&first["seat"], &first["pseudonym"]));
+    let [one, other] = [&first, &second].map(|joined| joined["token"].as_str().unwrap());
+    running.post("/api/events", one, &json!({ "events": parts(1, "4.5", "correct") })).ok();
+    let taken = running.post("/api/events", other, &json!({ "events": parts(1, "9", "wrong") }));
+    assert_eq!((taken.why(), taken.body.contains("\"highest\":6")), ((409, "taken".to_owned()), true));
+    running.post("/api/events", other, &json!({ "events": parts(7, "9", "wrong") })).ok();
+    let teacher = running.teacher();
+    assert!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).body.contains("\"typed\":\"9\""));
+}
+
+#[test]
+fn the_file_for_a_class_connects_to_its_server_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let running = Running::start(&folder.path().join("class.sqlite"));
+    let token = running.join()["token"].as_str().unwrap().to_owned();
+    let file = running.get("/api/file/tube.md", &token);
+    assert_eq!(file.status, 200);
+    assert!(file.body.contains("default-src 'none'; connect-src http://192.0.2.1:4242\""), "{}", file.body);
+    assert!(file.body.contains(running.class.code()));
+    let page = running.get("/d/tube.md", "");
+    assert!(page.body.contains("connect-src 'self'") && !page.body.contains(running.class.code()));
+    let tag = page.head.lines().find_map(|line| line.strip_prefix("etag: ")).unwrap().to_owned();
+    let again = crate::client::send(
+        running.address,
+        "GET",
+        "/d/tube.md",
+        &[("Host", "localhost"), ("If-None-Match", &tag)],
+        "",
+    );
+    assert_eq!((again.status, again.body.len()), (304, 0));
+    assert_eq!(running.get("/d/a%20b.md", "").status, 200);
+    assert_eq!(running.get("/d/none.md", "").status, 404);
+}
+
+#[test]
+fn survey_answers_have_neither_seat_nor_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let running = Running::start(&folder.path().join("class.sqlite"));
+    let joined = running.join();
+    let survey = joined["survey"].as_str().unwrap();
+    for number in 0..20 {
+        running
+            .post("/api/survey", survey, &json!({ "meniscus survey": 1, "document": "T", "items": [], "n": number }))
+            .ok();
+    }
+    let teacher = running.teacher();
+    let sheets = running.get("/api/teacher/sheets", &teacher).ok();
+    let numbers: Vec<String> = sheets["sheets"].as_array().unwrap().iter().map(|sheet| sheet.to_string()).collect();
+    assert_eq!(numbers.len(), 20);
+    let mut sorted = numbers.clone();
+    sorted.sort_by_key(|sheet| sheet.len());
+    assert_ne!(numbers, sorted);
+    assert_eq!(running.get("/api/teacher/events?since=0", &teacher).ok()["events"], json!([]));
+    // The token of the survey opens nothing else.
+    assert_eq!(running.get("/api/mine", survey).why(), (403, "token".to_owned()));
+}

@@ -1,0 +1,14 @@
+//! Tests of the class server over real connections, linked as one test program.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
+
+mod client;
+mod durable;
+mod erasing;
+mod folding;
+mod handing;
+mod load;
+mod security;
+mod streams;
+mod teacher;
+mod tls;

@@ -1,0 +1,83 @@
+//! Actions of the teacher.
+
+use crate::client::{Running, parts};
+use serde_json::{Value, json};
+
+fn running() -> (tempfile::TempDir, Running) {
+    let folder = tempfile::tempdir().unwrap();
+    let running = Running::start(&folder.path().join("class.sqlite"));
+    (folder, running)
+}
+
+fn token(joined: &Value) -> &str {
+    joined["token"].as_str().unwrap()
+}
+
+#[test]
+fn a_closed_class_accepts_nothing_until_it_is_opened() {
+    let (_folder, running) = running();
+    let (joined, teacher) = (running.join(), running.teacher());
+    let send = |seq| running.post("/api/events", token(&joined), &json!({ "events": parts(seq, "1", "wrong") })).why();
+    let set = |settings: Value| drop(running.post("/api/teacher/settings", &teacher, &settings).ok());
+    set(json!({ "open": false }));
+    assert_eq!(send(1), (403, "closed".to_owned()));
+    assert_eq!(running.get("/api/state", token(&joined)).ok()["accepts"], false);
+    set(json!({ "open": true }));
+    assert_eq!(send(1).0, 200);
+    // The server's clock decides, whatever the student's clock says.
+    set(json!({ "open": true, "closes": server::now() }));
+    assert_eq!(send(10), (403, "closed".to_owned()));
+    set(json!({ "open": true, "closes": server::now() + 60_000 }));
+    assert_eq!(send(10).0, 200);
+}
+
+#[test]
+fn late_joiners_wait_for_the_teacher() {
+    let (_folder, running) = running();
+    let (early, teacher) = (running.join(), running.teacher());
+    running.post("/api/teacher/settings", &teacher, &json!({ "open": true, "approve": true })).ok();
+    let late = running.join();
+    assert_eq!((&early["approved"], &late["approved"]), (&json!(true), &json!(false)));
+    let send = || running.post("/api/events", token(&late), &json!({ "events": parts(1, "1", "wrong") })).why();
+    assert_eq!(send(), (403, "approval".to_owned()));
+    running.post("/api/teacher/approve", &teacher, &json!({ "seat": 2 })).ok();
+    assert_eq!(send().0, 200);
+    assert_eq!(running.post("/api/teacher/approve", &teacher, &json!({ "seat": 9 })).status, 404);
+}
+
+#[test]
+fn others_answers_are_seen_after_ones_own_and_only_if_shown() {
+    let (_folder, running) = running();
+    let teacher = running.teacher();
+    let students: Vec<Value> = (0..3).map(|_| running.join()).collect();
+    for (student, (typed, grade)) in students.iter().zip([("4.5", "correct"), ("9", "wrong")]) {
+        running.post("/api/events", token(student), &json!({ "events": parts(1, typed, grade) })).ok();
+    }
+    let seen = |student: usize| running.get("/api/others", token(&students[student])).ok()["questions"].clone();
+    assert_eq!(seen(0), json!([]));
+    running.post("/api/teacher/settings", &teacher, &json!({ "open": true, "results": true, "others": true })).ok();
+    assert_eq!(seen(0), json!([{ "question": "q1", "results": { "answered": 2, "right": 1 }, "others": ["9"] }]));
+    assert_eq!(seen(2), json!([]));
+}
+
+#[test]
+fn settings_outlive_the_server() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = folder.path().join("class.sqlite");
+    let (teacher, joined) = {
+        let running = Running::start(&store);
+        let (teacher, joined) = (running.teacher(), running.join());
+        running
+            .post("/api/teacher/settings", &teacher, &json!({ "open": true, "paused": true, "pace": "a b.md" }))
+            .ok();
+        assert_eq!(running.post("/api/teacher/settings", &teacher, &json!({ "pace": "none.md" })).status, 400);
+        (teacher, joined)
+    };
+    let running = Running::start(&store);
+    let class = running.get("/api/teacher/class", &teacher).ok();
+    assert_eq!((&class["settings"]["paused"], &class["settings"]["pace"]), (&json!(true), &json!("a b.md")));
+    assert_eq!(running.get("/api/state", token(&joined)).ok()["settings"]["paused"], true);
+    // Keys and the token of surveys, too.
+    let again = running.post("/api/join", "", &json!({ "code": joined["key"] })).ok();
+    assert_eq!((&again["seat"], &again["survey"]), (&joined["seat"], &joined["survey"]));
+}

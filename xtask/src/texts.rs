@@ -173,7 +173,7 @@ impl Found {
         match argument {
             [token] if let Some(text) = text(token) => self.add(text),
             // A macro hands its text through.
-            [TokenTree::Punct(mark), ..] if mark.as_char() == '$' => {}
+            [TokenTree::Punct(mark), ..] if matches!(mark.as_char(), '$' | '*') => {}
             _ => bail!(
                 "{}: a text must be a literal, not `{}`",
                 self.file,

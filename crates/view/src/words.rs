@@ -14,9 +14,9 @@ macro_rules! table_of_words {
         pub fn words_in(language: units::Language) -> &'static Words {
             static TABLES: [std::sync::OnceLock<Words>; units::Language::ALL.len()] =
                 [const { std::sync::OnceLock::new() }; units::Language::ALL.len()];
-            TABLES[language as usize].get_or_init(|| Words {
-                $(other: $other::words_in(language),)?
-                $($name: language.say($english),)*
+            TABLES[language as usize].get_or_init(|| {
+                let [$($name),*] = language.say_all([$($english),*]);
+                Words { $(other: $other::words_in(language),)? $($name),* }
             })
         }
 

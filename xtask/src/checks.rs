@@ -15,6 +15,17 @@ pub fn all() -> Result<()> {
     step("the page in Chromium and Firefox", browsers)
 }
 
+/// Runs all checks, and then the long ones, whose short forms are among them.
+pub fn full() -> Result<()> {
+    all()?;
+    step("the class server under load and killed", || {
+        let server = ["test", "--release", "--package", "server", "--test", "all", "--"];
+        // One after the other, so that the durations that they print are their own.
+        let long = ["--ignored", "--skip", "durable::child", "--nocapture", "--test-threads", "1"];
+        run(cargo(&server).args(long))
+    })
+}
+
 fn tests() -> Result<()> {
     // Tested separately, as it was built to run this: in a common build its dependencies would get other features and
     // be built twice.

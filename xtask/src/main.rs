@@ -17,7 +17,8 @@ use std::process::ExitCode;
 const HELP: &str = "\
 cargo xtask lab     build the page and open the laboratory in the browser; `lab DOC` builds the program, too, and serves DOC
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
-cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers
+cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
+                    also the long ones: the class server under load and killed
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens
 ";
@@ -39,6 +40,7 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["lab", document @ ..] => lab(document),
         ["page"] => steps::step("the page", page::build).map(|page| println!("{}", page.display())),
         ["test"] => checks::all(),
+        ["test", "full"] => checks::full(),
         ["texts"] => texts::update(&steps::root()),
         ["bench"] => bench::all(),
         [] | ["help" | "--help" | "-h"] => {

@@ -5,7 +5,7 @@ use super::names::{FROM_DISK, WORKER};
 use crate::failure::Failure;
 use crate::page;
 use base64::Engine as _;
-use document::page::{EDITOR, GLUE, LABORATORY, MODULE, PLAYER, POLICY};
+use document::page::{EDITOR, GLUE, LABORATORY, LABORATORY_TEXTS, MODULE, PLAYER, POLICY, TEXTS};
 use flate2::read::DeflateDecoder;
 use std::io::Read as _;
 
@@ -59,9 +59,10 @@ impl Parts {
                 }
                 "<script>" => scripts.push(content),
                 MODULE => module = Some(content),
-                LABORATORY => {
-                    let attributes = packed("laboratory", "laboratory", content, files)?.attributes("file");
-                    html.push_str(&LABORATORY.replace('>', &format!("{attributes}></script>")));
+                _ if tag == LABORATORY || tag.starts_with(TEXTS) || tag.starts_with(LABORATORY_TEXTS) => {
+                    let id = between(tag, "id=\"", "\"").unwrap_or_default();
+                    let attributes = packed(id, id, content, files)?.attributes("file");
+                    html.push_str(&tag.replace('>', &format!("{attributes}></script>")));
                 }
                 GLUE => {
                     let script = files.share("laboratory", "js", inflated(content).ok_or_else(page::no_place)?);
@@ -158,7 +159,7 @@ mod tests {
         let whole = format!(
             "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
              <body><!--documents--><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
-             <style>\ni {{}}</style>{LABORATORY}AAED</script>{GLUE}M7EGAA==</script>{LIBRARY}[]</script>{EDITOR}M7EGAA==</script>\
+             {TEXTS}es\">AAEE</script><style>\ni {{}}</style>{LABORATORY}AAED</script>{GLUE}M7EGAA==</script>{LIBRARY}[]</script>{EDITOR}M7EGAA==</script>\
              {PLAYER}AAAA</script></body>"
         );
         let mut files = Files::default();
@@ -180,6 +181,10 @@ mod tests {
         let text = named("laboratory", FROM_DISK).0;
         let laboratory = format!("id=\"laboratory\" data-file=\"{ROOT}{module}\" data-text=\"{ROOT}{text}\"></script>");
         assert!(parts.html.contains(&laboratory), "{}", parts.html);
+        // The texts of each language are a file, which is loaded when the language is chosen.
+        let (texts, bytes) = named("texts-es", ".bin");
+        assert_eq!(bytes, [0, 1, 4]);
+        assert!(parts.html.contains(&format!("id=\"texts-es\" data-file=\"{ROOT}{texts}\"")), "{}", parts.html);
         // The editor is a separate script, which the laboratory loads on demand.
         let editor = named("editor", ".js");
         assert_eq!(editor.1, b"4;");

@@ -1,5 +1,6 @@
 //! A run: a stepper with its recorded history.
 
+use crate::methods::cubic::Cubic;
 use crate::methods::stability::Stability;
 use crate::methods::stepper::grid_index;
 use crate::record::checkpoints::Checkpoints;
@@ -307,21 +308,19 @@ impl Run {
         out.copy_from_slice(self.rates.at(parameters, initial, start, from));
         let end_rates = self.rates.at(parameters, initial, end, to);
         for (k, value) in out.iter_mut().enumerate() {
-            *value = hermite(part, [from[k], to[k]], [size * *value, size * end_rates[k]], history.scale(k, next));
+            *value = between(part, [from[k], to[k]], [size * *value, size * end_rates[k]], history.scale(k, next));
         }
     }
 }
 
-/// Cubic Hermite interpolation with the values `ends` and the slopes `slopes` at 0 and 1, at `part`. If a slope exceeds ten
-/// times `scale`, the greatest magnitude of the state so far, it belongs to a change too fast for the rows; the
-/// interpolation is then linear.
-fn hermite(part: f64, ends: [f64; 2], slopes: [f64; 2], scale: f64) -> f64 {
-    let ([from, to], [leaving, arriving]) = (ends, slopes);
-    let change = to - from;
-    let steepest = leaving.abs().max(arriving.abs());
-    if steepest > 10.0 * scale || steepest.is_nan() {
-        return from + part * change;
+/// Cubic Hermite interpolation between two rows with the values `ends` and the slopes `slopes` (per unit of `part`) at
+/// `part`, 0 to 1. If a slope exceeds ten times `scale`, the greatest magnitude of the state so far, it belongs to a change
+/// too fast for the rows; the interpolation is then linear.
+fn between(part: f64, ends: [f64; 2], slopes: [f64; 2], scale: f64) -> f64 {
+    let [leaving, arriving] = slopes.map(f64::abs);
+    if leaving.max(arriving) > 10.0 * scale {
+        let [from, to] = ends;
+        return from + part * (to - from);
     }
-    let rest = 1.0 - part;
-    from + part * (change + rest * (rest * (leaving - change) - part * (arriving - change)))
+    Cubic::new(ends, slopes).at(part)
 }

@@ -10,7 +10,7 @@ pub(crate) struct Cubic {
 }
 
 impl Cubic {
-    /// The cubic with these values and slopes at 0 and 1. A slope that is not finite is replaced by that of the straight
+    /// Cubic with these values and slopes at 0 and 1, in the units of one state or condition. A slope that is not finite is replaced by that of the straight
     /// line.
     pub fn new(values: [f64; 2], slopes: [f64; 2]) -> Self {
         let change = values[1] - values[0];

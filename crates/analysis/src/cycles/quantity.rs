@@ -2,7 +2,7 @@
 
 use super::cycle::{Cycle, Measured};
 use units::Language;
-use units::order::sort_numbers;
+use units::order::median;
 
 /// Quantity measured in each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,9 +104,7 @@ pub fn columns(cycles: &[Cycle], own: &str, time: &str) -> Vec<(String, Vec<f64>
 /// four times the median error. Otherwise the uncertain last cycles would set the scale. `None` if all values are equal and
 /// exact.
 pub fn well_known(values: &[Measured]) -> Option<(f64, f64)> {
-    let mut errors: Vec<f64> = values.iter().map(|one| one.error).collect();
-    sort_numbers(&mut errors);
-    let usual = errors.get(errors.len() / 2).copied().unwrap_or(0.0);
+    let usual = median(values.iter().map(|one| one.error).collect());
     let known = values.iter().filter(|one| one.error <= 4.0 * usual);
     let (low, high) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
         (low.min(one.value - one.error), high.max(one.value + one.error))

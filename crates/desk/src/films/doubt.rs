@@ -1,7 +1,7 @@
 //! Frames that the user should check.
 
 use film::tracking::Track;
-use units::order::{sort_by_key, sort_numbers};
+use units::order::{median, sort_by_key};
 use units::{Words, words};
 
 /// Correlation below which a doubtful frame does not show what was clicked.
@@ -62,9 +62,7 @@ pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
     let mut found = Vec::new();
     for (track, own) in tracks.iter().enumerate() {
         let size = |sigma: [f64; 2]| libm::hypot(sigma[0], sigma[1]);
-        let mut sizes: Vec<f64> = own.points.iter().map(|point| size(point.sigma)).collect();
-        sort_numbers(&mut sizes);
-        let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+        let usual = median(own.points.iter().map(|point| size(point.sigma)).collect());
         let why = |point: &film::tracking::Point| {
             if point.doubtful && point.score < SCORE {
                 Some(Doubt::Score)

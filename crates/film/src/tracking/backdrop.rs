@@ -5,7 +5,7 @@
 
 use crate::plane::Plane;
 use crate::tracking::median::median;
-use units::order::{sort_by, sort_numbers};
+use units::order::sort_by;
 
 /// Maximum number of blocks beside the tubes and within their strips.
 const BESIDE: usize = 28;
@@ -77,9 +77,7 @@ impl Backdrop {
             return;
         }
         let (mut by, mut left) = self.refine(plane, last.by, 8);
-        let mut usual = self.left.clone();
-        sort_numbers(&mut usual);
-        if usual.get(usual.len() / 2).is_some_and(|usual| left > UNUSUAL * usual) {
+        if !self.left.is_empty() && left > UNUSUAL * median(self.left.clone()) {
             let sought = self.search(plane, last.by);
             let (found, rest) = self.refine(plane, sought, 8);
             if rest < left {

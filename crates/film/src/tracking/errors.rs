@@ -3,6 +3,7 @@
 //! Formal errors assume independent noise of neighbouring pixels, which compression violates. A smooth motion vanishes
 //! in sixth differences and noise does not, so that they give the actual errors.
 
+use crate::tracking::median::median;
 use units::order::sort_numbers;
 
 /// Number of values in a sixth difference.
@@ -47,10 +48,8 @@ fn own(times: &[f64], values: &[f64]) -> Option<f64> {
 /// Standard errors of a coordinate: formal errors, multiplied by the ratio of the scatter of the track to their median
 /// if it exceeds 1. `times` in s, `values` and `formal` in px.
 pub(crate) fn scaled(times: &[f64], values: &[f64], formal: &[f64]) -> Vec<f64> {
-    let mut sorted: Vec<f64> = formal.iter().copied().filter(|error| error.is_finite()).collect();
-    sort_numbers(&mut sorted);
     // The median, since a frame without a surface would dominate the mean.
-    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let usual = median(formal.iter().copied().filter(|error| error.is_finite()).collect());
     let factor = match own(times, values) {
         Some(own) if usual > 0.0 => (own / usual).max(1.0),
         _ => 1.0,

@@ -1,6 +1,7 @@
 //! Stationary background of a body.
 
 use crate::plane::Plane;
+use crate::tracking::median::median_shade;
 
 /// Number of frames for an update of all rows: each frame updates every eighth row.
 const TURN: usize = 8;
@@ -117,14 +118,13 @@ impl Background {
                 Some([0, 1, 2].map(|k| i16::from(now[k]) - i16::from(shade[k])))
             })
             .collect();
-        let part = |k: usize| steps.iter().map(move |step| step[k]);
-        let brighter = median(part(0).collect());
-        let noise = |k: usize, middle: f32| {
-            // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
-            median(part(k).map(|step| (step - middle as i16).abs()).collect()) / 0.6745
-        };
-        let [grey, blue, red] = [noise(0, brighter).max(LEAST), noise(1, 0.0), noise(2, 0.0)];
-        Compared { plane, background: self, brighter, noise: distance([grey, blue, red], [0.0; 3]).sqrt() }
+        let [brighter, ..] = median_shade(&steps, i16::cmp);
+        let deviations: Vec<[i16; 3]> =
+            steps.iter().map(|[grey, blue, red]| [(grey - brighter).abs(), blue.abs(), red.abs()]).collect();
+        // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
+        let [grey, blue, red] = median_shade(&deviations, i16::cmp).map(|deviation| f32::from(deviation) / 0.6745);
+        let noise = distance([grey.max(LEAST), blue, red], [0.0; 3]).sqrt();
+        Compared { plane, background: self, brighter: f32::from(brighter), noise }
     }
 }
 
@@ -146,19 +146,10 @@ impl Compared<'_> {
     }
 }
 
-fn median(mut values: Vec<i16>) -> f32 {
-    let middle = values.len() / 2;
-    if values.is_empty() { 0.0 } else { f32::from(*values.select_nth_unstable(middle).1) }
-}
-
 /// Temporal median of each component of a pixel.
 pub(crate) fn usual(planes: &[&Plane], column: i64, row: i64) -> [u8; 3] {
     let shades: Vec<[u8; 3]> = planes.iter().map(|plane| plane.shade(column, row)).collect();
-    [0, 1, 2].map(|k| {
-        let mut values: Vec<u8> = shades.iter().map(|shade| shade[k]).collect();
-        let middle = values.len() / 2;
-        if values.is_empty() { 0 } else { *values.select_nth_unstable(middle).1 }
-    })
+    median_shade(&shades, u8::cmp)
 }
 
 /// Squared distance of two shades. Colour differences have twice the weight: they and their noise are smaller than

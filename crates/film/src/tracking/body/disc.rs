@@ -2,6 +2,7 @@
 
 use crate::plane::Plane;
 use crate::tracking::body::background::distance;
+use crate::tracking::median::median_shade;
 
 /// Minimum radius of a body, px.
 pub(crate) const SMALLEST: f64 = 3.0;
@@ -50,15 +51,6 @@ impl Disc {
     }
 }
 
-/// Median of each component of some shades; 0 without shades.
-pub(crate) fn median(shades: &[[f32; 3]]) -> [f32; 3] {
-    [0, 1, 2].map(|k| {
-        let mut values: Vec<f32> = shades.iter().map(|shade| shade[k]).collect();
-        let middle = values.len() / 2;
-        if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f32::total_cmp).1 }
-    })
-}
-
 /// Circle with the largest contrast in most directions, around a click (px). `greatest`: maximum radius, px.
 pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
     let circle: Vec<(f64, f64)> =
@@ -72,7 +64,7 @@ pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
             *inside = at(radius - ACROSS);
             roots += f64::from(distance(*inside, at(radius + ACROSS))).sqrt().min(60.0).sqrt();
         }
-        let usual = median(&inside);
+        let usual = median_shade(&inside, f32::total_cmp);
         let uneven = inside.iter().map(|shade| f64::from(distance(*shade, usual)).sqrt().min(60.0)).sum::<f64>();
         let mean = roots / f64::from(DIRECTIONS);
         mean * mean - UNEVEN * uneven / f64::from(DIRECTIONS)

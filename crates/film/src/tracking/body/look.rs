@@ -1,7 +1,7 @@
 //! Appearance of a body compared with the stationary background.
 
 use crate::tracking::body::background::{Compared, distance};
-use crate::tracking::body::disc::median;
+use crate::tracking::median::median_shade;
 
 /// Fraction of the deviation by which the appearance is updated in each frame.
 const PACE: f32 = 0.2;
@@ -69,9 +69,9 @@ impl Look {
             }
         }
         let shades: Vec<[f32; 3]> = spots.iter().map(|spot: &Spot| spot.first).collect();
-        let most = median(&shades);
+        let most = median_shade(&shades, f32::total_cmp);
         let others: Vec<[f32; 3]> = shades.iter().copied().filter(|shade| distance(*shade, most) > OTHER).collect();
-        let usual = [most, if others.len() * 20 > shades.len() { median(&others) } else { most }];
+        let usual = [most, if others.len() * 20 > shades.len() { median_shade(&others, f32::total_cmp) } else { most }];
         Look { spots, ring, usual }
     }
 

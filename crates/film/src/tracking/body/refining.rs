@@ -5,7 +5,7 @@
 
 use crate::tracking::body::part::Part;
 use crate::tracking::body::template::{Found, Sample, Template};
-use units::order::sort_numbers;
+use crate::tracking::median::median;
 
 /// Number of iterations of template and positions.
 const ROUNDS: usize = 3;
@@ -124,9 +124,7 @@ impl Refining {
                     variances.push((sum.squares / frames - shift * shift).max(0.0));
                     *sample = Sample { value, gradient: sum.gradient.map(|part| part / frames), ..*sample };
                 }
-                let mut sorted = variances.clone();
-                sort_numbers(&mut sorted);
-                let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0).max(1e-6);
+                let usual = median(variances.clone()).max(1e-6);
                 for (sample, variance) in template.samples.iter_mut().zip(variances) {
                     sample.weight = (1.0 + ADDITION) / (variance / usual + ADDITION);
                 }

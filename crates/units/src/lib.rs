@@ -16,6 +16,7 @@ mod nearest;
 pub mod number;
 pub mod order;
 mod parse;
+mod percent;
 mod prefix;
 mod quantity;
 mod scale;
@@ -30,6 +31,7 @@ pub use language::{Catalogue, Conjunction, Language, ToWords, Words, provide, se
 pub use name::name_of;
 pub use nearest::nearest;
 pub use parse::raised;
+pub use percent::percent_encoded;
 pub use quantity::QuantityName;
 pub use unit::Unit;
 pub use unit_error::UnitError;

@@ -2,12 +2,12 @@
 
 use document::Opened;
 use lsp_types::Uri;
-use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
+use percent_encoding::percent_decode_str;
 use program::Program;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::PathBuf;
-use units::{Language, words};
+use units::{Language, percent_encoded, words};
 
 /// An open file.
 #[derive(Debug)]
@@ -133,7 +133,7 @@ impl OpenFiles {
         let stem = name.strip_suffix("md").unwrap_or(&name);
         for entry in path.into_iter().filter_map(|path| std::fs::read_dir(path).ok()).flatten().flatten() {
             let Ok(own) = entry.file_name().into_string() else { continue };
-            let address = format!("{folder}/{}", encoded(&own));
+            let address = format!("{folder}/{}", percent_encoded(&own));
             if own.starts_with(stem) && own.ends_with(".md") && own != name && !self.files.contains_key(&address) {
                 let text = std::fs::read_to_string(entry.path()).ok().filter(|text| is_of(text));
                 found.extend(text.map(|text| (address, text)));
@@ -158,10 +158,4 @@ fn path_of(folder: &str) -> Option<PathBuf> {
 /// Decodes percent escapes; `None` if the bytes are no UTF-8.
 fn decoded(part: &str) -> Option<String> {
     percent_decode_str(part).decode_utf8().ok().map(Cow::into_owned)
-}
-
-/// Percent-encodes a file name: all but the unreserved characters (RFC 3986, section 2.3).
-fn encoded(name: &str) -> String {
-    const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~');
-    utf8_percent_encode(name, ESCAPED).to_string()
 }

@@ -1,6 +1,6 @@
 //! Collection of the documents of a folder, in the order of the site.
 
-use super::names::{INDEX, LABORATORY, percent_encoded};
+use super::names::{INDEX, LABORATORY};
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::terminal::Terminal;
@@ -9,7 +9,7 @@ use document::{BlockKind, Document};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use units::say;
+use units::{percent_encoded, say};
 
 /// Maximum length of the path of a document in bytes; it is also that of a link to it.
 const LONGEST_NAME: usize = 200;

@@ -4,11 +4,12 @@
 use super::collect::Simulation;
 use super::curve;
 use super::files::Files;
-use super::names::{LABORATORY, percent_encoded};
+use super::names::LABORATORY;
 use super::parts::{Parts, SITE_POLICY, between};
 use std::fmt::Write as _;
 use units::Language;
 use units::markup::escaped;
+use units::percent_encoded;
 
 const STYLE: &str = include_str!("index.css");
 /// Script that shows the list in the language of the reader.

@@ -1,8 +1,9 @@
 //! The service worker of a site.
 
 use super::files::{Files, hash};
-use super::names::{FROM_DISK, percent_encoded};
+use super::names::FROM_DISK;
 use std::collections::BTreeMap;
+use units::percent_encoded;
 
 const SCRIPT: &str = include_str!("worker.js");
 

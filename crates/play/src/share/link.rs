@@ -15,7 +15,7 @@
 use crate::Refusal;
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
-use std::fmt::Write as _;
+use units::percent_encoded;
 
 /// Maximum length of a document in a link, in characters of the link. Mail and chat programs break much longer links.
 pub const LONGEST_PACKED: usize = 8 << 10;
@@ -92,18 +92,9 @@ pub fn packed_length(bytes: usize) -> usize {
     bytes.saturating_mul(4).div_ceil(3)
 }
 
-/// Percent-encodes a name for a fragment.
+/// Percent-encodes a name for a fragment; only the first [`LONGEST_NAME`] bytes of a longer one.
 pub(crate) fn encode(name: &str) -> String {
-    let mut text = String::new();
-    for byte in name.bytes().take(LONGEST_NAME) {
-        if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
-            text.push(char::from(byte));
-        } else {
-            // Writing to a string cannot fail.
-            let _ = write!(text, "%{byte:02X}");
-        }
-    }
-    text
+    percent_encoded(&name.as_bytes()[..name.len().min(LONGEST_NAME)])
 }
 
 /// Decodes the output of [`encode`]; `None` for an invalid name.

@@ -30,16 +30,7 @@ pub(crate) fn spread(statements: &[Statement], diagnostics: &mut Vec<Diagnostic>
 
 fn parameter(choice: &ChoiceStatement) -> ParameterStatement {
     let texts = choice.alternatives.iter().map(|alternative| alternative.text.text.clone()).collect();
-    ParameterStatement {
-        name: choice.name.clone(),
-        value: 0.0,
-        value_span: choice.name.span,
-        unit: None,
-        range: None,
-        step: None,
-        form: ParameterForm::Choice(texts),
-        assigned: None,
-    }
+    ParameterStatement { value: 0.0, ..ParameterStatement::bare(choice.name.clone(), ParameterForm::Choice(texts)) }
 }
 
 /// The definitions of a choice: `rho = if liquid == "Water" then ... else ...`. The unit stated in the first alternative,

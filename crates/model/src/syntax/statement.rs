@@ -168,6 +168,14 @@ pub struct ParameterStatement {
     pub assigned: Option<AssignedRange>,
 }
 
+impl ParameterStatement {
+    /// Statement with only a name and a kind. The value is NaN and has the place of the name.
+    pub(crate) fn bare(name: Name, form: ParameterForm) -> Self {
+        let value_span = name.span;
+        Self { name, value: f64::NAN, value_span, unit: None, range: None, step: None, form, assigned: None }
+    }
+}
+
 /// `assigned LOW..HIGH step S`, in the unit of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssignedRange {

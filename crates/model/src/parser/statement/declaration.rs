@@ -13,23 +13,23 @@ use units::{Words, words};
 impl Cursor<'_> {
     /// `parameter b = 50 [kg/s] in 0..20000 step 1`
     pub(in crate::parser) fn parameter(&mut self) -> Salvaged {
+        self.valued(&words("a parameter"), ParameterForm::Number, Self::parameter_parts)
+    }
+
+    /// Keyword and name of a parameter or a switch, then its parts by `parts`. `what`: words for it in a message.
+    pub(super) fn valued(
+        &mut self,
+        what: &Words,
+        form: ParameterForm,
+        parts: impl FnOnce(&mut Self, &mut ParameterStatement) -> Read<()>,
+    ) -> Salvaged {
         let start = self.advance();
-        let name = match self.plain_name(&words("a parameter")) {
+        let name = match self.plain_name(what) {
             Ok(name) => name,
             Err(reported) => return (nothing(start), Err(reported)),
         };
-        let span = name.span;
-        let mut parameter = ParameterStatement {
-            name,
-            value: f64::NAN,
-            value_span: span,
-            unit: None,
-            range: None,
-            step: None,
-            form: ParameterForm::Number,
-            assigned: None,
-        };
-        let read = self.parameter_parts(&mut parameter);
+        let mut parameter = ParameterStatement::bare(name, form);
+        let read = parts(self, &mut parameter);
         (StatementKind::Parameter(parameter), read)
     }
 

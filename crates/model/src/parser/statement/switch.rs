@@ -1,9 +1,9 @@
 //! `switch drag = on "With drag"`: a parameter that is on or off.
 
-use super::{Salvaged, nothing};
+use super::Salvaged;
 use crate::lexer::{Symbol, TokenKind};
 use crate::parser::cursor::{Cursor, Read};
-use crate::{Diagnostic, ParameterForm, ParameterStatement, StatementKind};
+use crate::{Diagnostic, ParameterForm, ParameterStatement};
 use units::words;
 
 impl Cursor<'_> {
@@ -20,24 +20,7 @@ impl Cursor<'_> {
 
     /// `switch drag = on`
     pub(in crate::parser) fn switch(&mut self) -> Salvaged {
-        let start = self.advance();
-        let name = match self.plain_name(&words("a switch")) {
-            Ok(name) => name,
-            Err(reported) => return (nothing(start), Err(reported)),
-        };
-        let span = name.span;
-        let mut switch = ParameterStatement {
-            name,
-            value: f64::NAN,
-            value_span: span,
-            unit: None,
-            range: None,
-            step: None,
-            form: ParameterForm::Switch,
-            assigned: None,
-        };
-        let read = self.on_or_off(&mut switch);
-        (StatementKind::Parameter(switch), read)
+        self.valued(&words("a switch"), ParameterForm::Switch, Self::on_or_off)
     }
 
     fn on_or_off(&mut self, switch: &mut ParameterStatement) -> Read<()> {

@@ -2,6 +2,8 @@
 
 use super::typing;
 use crate::app::App;
+use view::browser;
+use view::pieces::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, KeyboardEvent};
 
@@ -71,6 +73,18 @@ pub fn named(name: &str, label: Option<String>) -> String {
 /// A labelled line, in a form for something new.
 pub fn new_line(id: &'static str, name: &'static str, field: View) -> HtmlDiv {
     div().class("new-line").child(label().r#for(id).child(name)).child(field)
+}
+
+/// Button that opens and closes a form for something new. `open`: true while the form is open; `first`: id of its first
+/// field, which is focused when it opens.
+pub fn opener(title: &'static str, open: Signal<bool>, first: &'static str) -> HtmlButton {
+    let toggle = move |_| {
+        open.update(|open| *open = !*open);
+        if open.get_untracked() {
+            browser::focus_later(first.to_owned());
+        }
+    };
+    labelled(icons::plus(), title).attr("aria-expanded", move || open.get().to_string()).when(events::click, toggle)
 }
 
 /// Shows the reason for refusing a change, unless the change has rebuilt the views.

@@ -1,12 +1,11 @@
 //! Form for a new question whose answer is computed by the model.
 
 use crate::app::App;
-use crate::write::fields::{named, new_line};
+use crate::write::fields::{named, new_line, opener};
 use crate::write::typing;
 use document::edit::{NewQuestion, add_question};
 use document::{asked, possible_answers};
 use view::browser;
-use view::pieces::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, HtmlTextAreaElement, SubmitEvent};
 
@@ -85,16 +84,7 @@ pub fn view(app: App) -> View {
         .child(note(words.question_answers_note))
         .child(refusal_of(refusal))
         .child(button().r#type("submit").class("primary").child(words.add_new));
-    let show = move |_| {
-        open.update(|open| *open = !*open);
-        if open.get_untracked() {
-            browser::focus_later("new-prompt".to_owned());
-        }
-    };
-    let button = labelled(icons::plus(), words.question_add)
-        .id("new-question")
-        .attr("aria-controls", "new-question-form")
-        .attr("aria-expanded", move || open.get().to_string())
-        .when(events::click, show);
+    let button =
+        opener(words.question_add, open, "new-prompt").id("new-question").attr("aria-controls", "new-question-form");
     View::from((div().class("form-tools").child(button), fields))
 }

@@ -1,12 +1,11 @@
 //! Form for a new plot: quantity, abscissa, title.
 
 use crate::app::App;
-use crate::write::fields::{named, new_line, refuse};
+use crate::write::fields::{named, new_line, opener, refuse};
 use crate::write::typing;
 use document::edit::{NewPlot, add_plot};
 use document::form::plottable;
 use view::browser;
-use view::pieces::icons;
 use view::views::*;
 use web_sys::{HtmlInputElement, HtmlSelectElement, SubmitEvent};
 
@@ -67,16 +66,6 @@ pub fn view(app: App) -> View {
         .child(new_line("new-plot-title", words.text_title, title.into()))
         .child(refusal_of(refusal))
         .child(button().r#type("submit").class("primary").child(words.add_new));
-    let show = move |_| {
-        open.update(|open| *open = !*open);
-        if open.get_untracked() {
-            browser::focus_later("new-plot-curves".to_owned());
-        }
-    };
-    let button = labelled(icons::plus(), words.plot_add)
-        .id("new-plot")
-        .attr("aria-controls", "new-plot-form")
-        .attr("aria-expanded", move || open.get().to_string())
-        .when(events::click, show);
+    let button = opener(words.plot_add, open, "new-plot-curves").id("new-plot").attr("aria-controls", "new-plot-form");
     View::from((div().class("form-tools").child(button), fields))
 }

@@ -68,7 +68,7 @@ fn main() {
         for seed in 1..=seeds {
             let film = kind(name, seed, false);
             let taken = film.film();
-            let mut draw = Draw(seed ^ 0xc11c);
+            let mut draw = Draw::new(seed ^ 0xc11c);
             let (mut wrong, mut silent, mut refused, mut right, mut doubted, mut hidden) = (0, 0, 0, 0, 0, 0);
             let (mut missing, mut visible) = (0, 0);
             let (mut squares, mut relative, mut good) = (0.0, 0.0, 0.0);

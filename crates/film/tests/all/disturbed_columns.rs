@@ -6,7 +6,7 @@ use film::tracking::{Following, Marks, Plan, Similarity, Surface, Track};
 
 /// The track of a click near the surface, and how far each point is from the truth.
 fn tracked(film: &Filmed, taken: &Taken, seed: u64) -> (Track, Vec<f64>) {
-    let mut draw = Draw(seed);
+    let mut draw = Draw::new(seed);
     let frame = (draw.next() * 0.4 * taken.planes.len() as f64) as usize;
     let [x, y] = taken.seen[frame];
     let click = Click { frame, position: [x + draw.between(-1.5, 1.5), y + draw.between(-1.5, 1.5)] };

@@ -2,6 +2,7 @@
 
 use film::Plane;
 use film::tracking::Similarity;
+use units::split_mix::{GOLDEN, scramble};
 
 pub const WIDTH: usize = 180;
 pub const HEIGHT: usize = 240;
@@ -194,13 +195,8 @@ pub struct Frame {
 }
 
 /// A random number with a standard normal distribution for a counter: four uniform ones from its hash.
-///
-/// G. L. Steele, D. Lea, C. H. Flood, *Proc. OOPSLA* (2014) 453.
 fn normal(counter: u64) -> f64 {
-    let mut z = counter.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
+    let z = scramble(counter.wrapping_mul(GOLDEN));
     let parts = (0..4).map(|k| ((z >> (16 * k)) & 0xffff) as f64 / 65_535.0 - 0.5);
     parts.sum::<f64>() * 3.0_f64.sqrt()
 }

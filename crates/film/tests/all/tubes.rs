@@ -2,6 +2,7 @@
 //! hands, leaves behind clear water, interlaced rows, a bumped camera, coarse compression. Geometry is free, and the truth is known.
 
 use film::Plane;
+use units::split_mix::SplitMix64;
 
 /// Filmed tube and settings of the film. Lengths in px, times in frames, brightness in grey values.
 #[derive(Clone, Debug)]
@@ -94,14 +95,15 @@ pub struct Taken {
 }
 
 /// Uniform numbers from 0 to 1.
-pub struct Draw(pub u64);
+pub struct Draw(SplitMix64);
 
 impl Draw {
+    pub fn new(seed: u64) -> Draw {
+        Draw(SplitMix64::new(seed))
+    }
+
     pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) as f64 / u64::MAX as f64
+        self.0.bits() as f64 / u64::MAX as f64
     }
 
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
@@ -124,7 +126,7 @@ struct Waves([[f64; 3]; 6]);
 
 impl Waves {
     fn new(seed: u64) -> Waves {
-        let mut draw = Draw(seed ^ 0x5eed);
+        let mut draw = Draw::new(seed ^ 0x5eed);
         Waves(std::array::from_fn(|_| {
             let (angle, length, phase) = (draw.between(0.0, 3.0), draw.between(5.0, 26.0), draw.between(0.0, 6.0));
             let (sine, cosine) = libm::sincos(angle);
@@ -221,7 +223,7 @@ impl Filmed {
             Some((_, [dx, dy])) => pixels().map(|(x, y)| self.grey(&waves, [x - dx, y - dy], 0.0)).collect(),
             None => Vec::new(),
         };
-        let mut draw = Draw(self.seed);
+        let mut draw = Draw::new(self.seed);
         let mut taken = Taken {
             planes: Vec::new(),
             truth: Vec::new(),
@@ -313,7 +315,7 @@ fn hadamard(block: &mut [f64; 64]) {
 
 /// A film of one of some kinds, each with a geometry of its own for every seed; `least` has few frames and rows, for tests.
 pub fn kind(name: &str, seed: u64, least: bool) -> Filmed {
-    let mut draw = Draw(name.bytes().fold(seed, |seed, byte| seed.wrapping_mul(977) ^ u64::from(byte)));
+    let mut draw = Draw::new(name.bytes().fold(seed, |seed, byte| seed.wrapping_mul(977) ^ u64::from(byte)));
     let high = if least { draw.between(200.0, 260.0) } else { draw.between(240.0, 640.0) }.round();
     let inner = draw.between(5.0, (high / 16.0 - 3.0).min(25.0));
     let swing = draw.between(0.05, 0.3) * high;

@@ -57,6 +57,13 @@ pub fn capital(letter: char) -> char {
     }
 }
 
+/// Text with a capital first letter, by the tables of Unicode: `period` becomes `Period`. Pages of a single simulation use
+/// [`capital`] instead.
+pub fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// Removes the accent of a letter of Latin-1, as in Spanish, Portuguese and French; every other character unchanged.
 pub fn without_accent(letter: char) -> char {
     match letter {
@@ -201,5 +208,9 @@ mod tests {
             assert_eq!(capital(letter).to_string(), letter.to_uppercase().to_string());
         }
         assert_eq!(['ß', 'ς', '÷', '²'].map(capital), ['ß', 'ς', '÷', '²']);
+        for (text, expected) in [("", ""), ("período", "Período"), ("ánodo", "Ánodo"), ("ßa", "SSa"), ("1 a", "1 a")]
+        {
+            assert_eq!(capitalised(text), expected);
+        }
     }
 }

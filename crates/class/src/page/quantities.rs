@@ -6,6 +6,7 @@ use crate::collection::Collection;
 use crate::pooling::{Measured, Pool, Pooled};
 use crate::results::Quantity;
 use report::{Page, escaped, symbol};
+use units::alphabet::capitalised;
 use units::number::{Layout, plain, unit_text, with_error, with_unit};
 use units::{Language, Unit, say};
 
@@ -91,9 +92,4 @@ pub fn pooled(quantity: &Quantity, language: Language) -> Vec<String> {
     let title = language.say("Without those far from the others");
     sentences.extend(without.as_ref().map(|without| line(title, without)));
     sentences
-}
-
-fn capitalised(text: &str) -> String {
-    let mut rest = text.chars();
-    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }

@@ -5,6 +5,7 @@ use analysis::cycles::{Cycle, Measured, Quantity, well_known};
 use figure::{Axis, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use std::fmt::Write;
 use units::Language;
+use units::alphabet::capitalised;
 
 /// Size of a panel in pixels.
 const WIDTH: f64 = 460.0;
@@ -52,7 +53,7 @@ pub fn svg(record: &Record) -> String {
     let mut panels =
         vec![measured(record, &time, &amplitude), panel(&time, &amplitude, "Amplitude against time", false)];
     for quantity in Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Amplitude) {
-        let (column, name) = (of(quantity), capital(quantity.name(Language::English)));
+        let (column, name) = (of(quantity), capitalised(quantity.name(Language::English)));
         panels.push(panel(&time, &column, &format!("{name} against time"), true));
         panels.push(panel(&amplitude, &column, &format!("{name} against amplitude"), true));
     }
@@ -86,12 +87,6 @@ fn measured(record: &Record, time: &CycleValues, amplitude: &CycleValues) -> Str
         ordered: true,
         ..Plot::default()
     })
-}
-
-/// Capitalises the first letter: `period` becomes `Period`.
-fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
 /// Panel of one quantity against another, with error bars. `bounded`: limits the ordinate to the well-known values.

@@ -8,6 +8,7 @@ use super::names::LABORATORY;
 use super::parts::{Parts, SITE_POLICY, between};
 use std::fmt::Write as _;
 use units::Language;
+use units::alphabet::capitalised;
 use units::markup::escaped;
 use units::percent_encoded;
 
@@ -106,9 +107,7 @@ fn list(language: Language, all: &[Language], simulations: &[Simulation], curves
 
 /// Heading of a folder: `damped-oscillations` becomes *Damped oscillations*.
 fn heading(folder: &str) -> String {
-    let words = folder.replace(['-', '_'], " ").replace('/', " · ");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capitalised(&folder.replace(['-', '_'], " ").replace('/', " · "))
 }
 
 /// Links to the index in other languages; empty if there is only one.

@@ -4,12 +4,12 @@
 use crate::Desk;
 use crate::cycles::drawn::Points;
 use crate::cycles::found::Found;
-use crate::cycles::view::capital;
 use crate::records::recognise::observed;
 use analysis::cycles::{Cycle, Quantity, cycles, mean, well_known};
 use engine::Readings;
 use figure::{Interval, Style};
 use play::{AddedPlot, AddedSeries, Labels, points_colour};
+use units::alphabet::capitalised;
 use units::{Language, say};
 
 /// Number of rows of a run that are read to find its cycles. More are read if the run has many cycles.
@@ -99,7 +99,7 @@ impl Desk {
         let axis =
             |quantity: Quantity| (quantity.symbol(self.play.language()).to_owned(), quantity.unit(&units.0, &units.1));
         let x = if against { axis(Quantity::Amplitude) } else { (independent, units.1.clone()) };
-        let title = cycles_title(self.play.language(), &capital(quantity.name(self.play.language())), against);
+        let title = cycles_title(self.play.language(), &capitalised(quantity.name(self.play.language())), against);
         let description = format!("{title}. {}", cycles_description(self.play.language()));
         let curves = cycles_legend(self.play.language()).map(str::to_owned).to_vec();
         let labels = Labels { title, description, x, axes: vec![axis(quantity)], curves, ..Labels::default() };

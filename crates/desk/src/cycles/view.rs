@@ -6,6 +6,7 @@ use crate::records::record::Record;
 use crate::{Desk, Export, ExportKind, number};
 use analysis::cycles::{self, Measured, Quantity, Writing};
 use units::Language;
+use units::alphabet::capitalised;
 use units::number::Layout;
 
 /// Significant digits of a value without an error.
@@ -87,7 +88,7 @@ impl Desk {
     /// Names of the quantities that can be plotted, in the order of the index that [`Desk::show_cycles`] takes, and the
     /// index of the plotted one.
     pub fn cycle_quantities(&self) -> (Vec<String>, usize) {
-        let names = Quantity::ALL.iter().map(|quantity| capital(quantity.name(self.play.language()))).collect();
+        let names = Quantity::ALL.iter().map(|quantity| capitalised(quantity.name(self.play.language()))).collect();
         (names, Quantity::ALL.iter().position(|quantity| *quantity == self.cycle_view.quantity).unwrap_or_default())
     }
 
@@ -224,12 +225,6 @@ impl Desk {
             bytes,
         ))
     }
-}
-
-/// Capitalises the first letter: `period` becomes `Period`.
-pub(crate) fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default() + letters.as_str()
 }
 
 /// The word for cycles, also used in file names.

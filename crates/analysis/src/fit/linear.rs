@@ -73,17 +73,7 @@ impl Decomposition {
     /// Decomposes the columns `columns` of `jacobian`, each divided by its entry of `scale`, with the residuals.
     pub fn new(jacobian: &Jacobian, columns: &[usize], scale: &[f64], residuals: &[f64]) -> Self {
         let size = columns.len();
-        let rows = jacobian.rows.max(size);
-        let mut tall = vec![0.0; rows * size];
-        for (place, &column) in columns.iter().enumerate() {
-            let to = &mut tall[place * rows..place * rows + jacobian.rows];
-            for (to, from) in to.iter_mut().zip(jacobian.column(column)) {
-                *to = from / scale[column];
-            }
-        }
-        let mut right_side = residuals.to_vec();
-        right_side.resize(rows, 0.0);
-        triangulate(&mut tall, rows, size, &mut right_side);
+        let (tall, rows, right_side) = triangulated(jacobian, columns, scale, residuals);
         let mut triangle = vec![0.0; size * size];
         for column in 0..size {
             for row in 0..=column {
@@ -146,17 +136,7 @@ impl Split {
     pub fn new(jacobian: &Jacobian, first: &[usize], rest: &[usize], scale: &[f64], residuals: &[f64]) -> Self {
         let (ahead, behind) = (first.len(), rest.len());
         let size = ahead + behind;
-        let rows = jacobian.rows.max(size);
-        let mut tall = vec![0.0; rows * size];
-        for (place, &column) in first.iter().chain(rest).enumerate() {
-            let to = &mut tall[place * rows..place * rows + jacobian.rows];
-            for (to, from) in to.iter_mut().zip(jacobian.column(column)) {
-                *to = from / scale[column];
-            }
-        }
-        let mut right_side = residuals.to_vec();
-        right_side.resize(rows, 0.0);
-        triangulate(&mut tall, rows, size, &mut right_side);
+        let (tall, rows, right_side) = triangulated(jacobian, &[first, rest].concat(), scale, residuals);
         let block = |rows_of: std::ops::Range<usize>, columns_of: std::ops::Range<usize>| -> Vec<f64> {
             columns_of.flat_map(|column| &tall[column * rows..][rows_of.clone()]).copied().collect()
         };
@@ -187,6 +167,30 @@ impl Split {
     pub fn promised(&self, flat: f64) -> f64 {
         self.first.promised(Self::FLAT) + self.rest.promised(flat)
     }
+}
+
+/// QR decomposition of the columns `columns` of `jacobian`, each divided by its entry of `scale`. Returns the triangle column
+/// by column, with zeros below the diagonal, the number of rows of each column (at least the number of columns), and Q^T r of the
+/// residuals with the same number of rows.
+fn triangulated(
+    jacobian: &Jacobian,
+    columns: &[usize],
+    scale: &[f64],
+    residuals: &[f64],
+) -> (Vec<f64>, usize, Vec<f64>) {
+    let size = columns.len();
+    let rows = jacobian.rows.max(size);
+    let mut tall = vec![0.0; rows * size];
+    for (place, &column) in columns.iter().enumerate() {
+        let to = &mut tall[place * rows..place * rows + jacobian.rows];
+        for (to, from) in to.iter_mut().zip(jacobian.column(column)) {
+            *to = from / scale[column];
+        }
+    }
+    let mut right_side = residuals.to_vec();
+    right_side.resize(rows, 0.0);
+    triangulate(&mut tall, rows, size, &mut right_side);
+    (tall, rows, right_side)
 }
 
 /// Reduces `tall` to a triangle by Householder reflections and applies them to `right_side` as well (Golub & Van Loan,

@@ -2,6 +2,7 @@
 
 use super::Defect;
 use super::part::Part;
+use crate::bytes::{double, quad, word};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -65,19 +66,6 @@ pub(super) struct End {
     files: usize,
     /// Range of bytes of the directory.
     pub directory: Range<u64>,
-}
-
-/// Reads a little-endian number; `None` beyond the end.
-fn word(bytes: &[u8], at: usize) -> Option<u16> {
-    Some(u16::from_le_bytes(bytes.get(at..at.checked_add(2)?)?.try_into().ok()?))
-}
-
-fn double(bytes: &[u8], at: usize) -> Option<u32> {
-    Some(u32::from_le_bytes(bytes.get(at..at.checked_add(4)?)?.try_into().ok()?))
-}
-
-fn quad(bytes: &[u8], at: usize) -> Option<u64> {
-    Some(u64::from_le_bytes(bytes.get(at..at.checked_add(8)?)?.try_into().ok()?))
 }
 
 impl Archive {

@@ -2,7 +2,6 @@
 //! memory is allocated, so that it is bounded by a few times the size of the file.
 
 mod book;
-mod bytes;
 mod cfb;
 mod record;
 mod sheet;

@@ -1,8 +1,8 @@
 //! Cells of a sheet. Their records may be in any order, so they are listed first and then written row by row.
 
 use super::book::{BOF, Book, EOF};
-use super::bytes::{double, float, word};
 use super::record::{Content, Record, rk};
+use crate::bytes::{double, float, word};
 use crate::workbook::refusal::WorkbookError;
 use crate::workbook::sheet::Lines;
 

@@ -124,6 +124,11 @@ impl<'a> Cursor<'a> {
         matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word)
     }
 
+    /// True at this word followed by a name. The word is reserved only there.
+    pub(super) fn begins_with(&self, word: &str) -> bool {
+        self.at_word(word) && matches!(self.peek_ahead(1), TokenKind::Name { .. })
+    }
+
     /// Skips line ends.
     pub(super) fn skip_lines(&mut self) {
         while *self.peek() == TokenKind::Newline {

@@ -104,9 +104,8 @@ pub fn parse_assignments(source: &str, range: Range<usize>) -> (Vec<Assignment>,
 
 /// The part of `range` that lies in `source`, widened to whole characters.
 fn on_boundaries(source: &str, range: &Range<usize>) -> Range<usize> {
-    let boundary = |at: usize| (0..=at.min(source.len())).rev().find(|at| source.is_char_boundary(*at)).unwrap_or(0);
-    let start = boundary(range.start);
-    start..boundary(range.end).max(start)
+    let start = source.floor_char_boundary(range.start);
+    start..source.floor_char_boundary(range.end).max(start)
 }
 
 /// Placeholder for an unreadable expression.

@@ -1,13 +1,6 @@
 //! User-defined functions.
 
-use crate::common::{At, assert_near, compile};
-use program::Model;
-
-/// Value of the quantity `name` for these values of the states.
-fn value(model: &Model, states: &[f64], name: &str) -> f64 {
-    let quantity = model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
-    At::new(model, 0.0, states).value(&model.graph, quantity.value.node)
-}
+use crate::common::{At, assert_near, compile, quantity_value};
 
 /// A call compiles to the same nodes as its expansion, so the results are bit-identical.
 #[test]
@@ -37,8 +30,8 @@ fn a_call_is_the_body_with_its_arguments() {
 #[test]
 fn arguments_hide_names_of_the_model() {
     let model = compile("a = 2\nb = 3\nfunction f(a) = a*b\nfunction g(b, a) = f(b) - a\nx = f(10) + a\ny = g(a, b)");
-    assert_near(value(&model, &[], "x"), 32.0);
-    assert_near(value(&model, &[], "y"), 3.0);
+    assert_near(quantity_value(&model, &[], "x"), 32.0);
+    assert_near(quantity_value(&model, &[], "y"), 3.0);
 }
 
 #[test]
@@ -48,7 +41,7 @@ fn a_function_takes_texts_conditions_and_quantities_with_their_derivatives() {
          x' = -2 [1/s]*x\nx(0) = 3 [m]\nP = power(4 [N], x) in [W]\n\
          t_0 = chosen(P > 0 [W], 1, f(0))\nfunction f(x) = cos(x) + 4\nway = chosen(x > 1 [m], \"far\", \"near\")\n",
     );
-    let quantity = |name: &str| value(&model, &[3.0], name);
+    let quantity = |name: &str| quantity_value(&model, &[3.0], name);
     assert_near(quantity("P"), -24.0);
     assert_near(quantity("t_0"), 5.0);
     assert_eq!(model.texts[quantity("way") as usize], "far");
@@ -58,5 +51,5 @@ fn a_function_takes_texts_conditions_and_quantities_with_their_derivatives() {
 #[test]
 fn the_word_stays_a_name() {
     let model = compile("function = 2\nx = 3*function\n");
-    assert_near(value(&model, &[], "x"), 6.0);
+    assert_near(quantity_value(&model, &[], "x"), 6.0);
 }

@@ -1,18 +1,12 @@
 //! Vectors, expanded to components.
 
-use crate::common::{At, assert_near, compile};
+use crate::common::{At, assert_near, compile, quantity_value};
 use program::Model;
 
 /// Rate of change of each state, for these values of the states.
 fn rates(model: &Model, states: &[f64]) -> Vec<f64> {
     let at = At::new(model, 0.0, states);
     model.states.iter().map(|state| at.value(&model.graph, state.derivative)).collect()
-}
-
-/// Value of the quantity with this name.
-fn value(model: &Model, states: &[f64], name: &str) -> f64 {
-    let quantity = model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
-    At::new(model, 0.0, states).value(&model.graph, quantity.value.node)
 }
 
 fn names(model: &Model) -> Vec<String> {
@@ -36,7 +30,11 @@ fn an_orbit_has_the_bits_of_its_components() {
     let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect::<Vec<_>>();
     assert_eq!(bits(rates(&vector, &states)), bits(rates(&single, &states)));
     for name in ["E", "L"] {
-        assert_eq!(value(&vector, &states, name).to_bits(), value(&single, &states, name).to_bits(), "{name}");
+        assert_eq!(
+            quantity_value(&vector, &states, name).to_bits(),
+            quantity_value(&single, &states, name).to_bits(),
+            "{name}"
+        );
     }
     let initial = |model: &Model| {
         let at = At::new(model, 0.0, &states);
@@ -67,7 +65,7 @@ fn zero_has_the_dimension_of_the_vector() {
     );
     let unit = |name: &str| model.quantities.iter().find(|quantity| quantity.name == name).unwrap().value.unit.clone();
     assert_eq!(unit("B.x").dimension, unit("B.z").dimension);
-    assert_near(value(&model, &[0.0, 7.0, 0.0, -4.0, 0.0, 1.0], "F.y"), -42.0);
+    assert_near(quantity_value(&model, &[0.0, 7.0, 0.0, -4.0, 0.0, 1.0], "F.y"), -42.0);
 }
 
 #[test]
@@ -76,7 +74,7 @@ fn products_follow_their_definitions() {
         "a = (1, 2, 3)\nb = (-4, 5, 0.5)\nc = cross(a, b)\nd = dot(a, b)\nn = norm(a)\ne = dot(a, c)\nf = cross((1, 2), (3, 4))\n\
          g = (a - 2*b/4).y + cross(a, b).x\nh = -a.z",
     );
-    let of = |name: &str| value(&model, &[], name);
+    let of = |name: &str| quantity_value(&model, &[], name);
     assert_eq!(["c.x", "c.y", "c.z"].map(of), [2.0 * 0.5 - 3.0 * 5.0, 3.0 * -4.0 - 0.5, 5.0 + 8.0]);
     assert_eq!([of("d"), of("e"), of("f")], [7.5, 0.0, -2.0]);
     assert_near(of("n"), 14.0_f64.sqrt());
@@ -97,10 +95,10 @@ fn what_follows_from_a_vector_is_one() {
     );
     assert_eq!(names(&model)[..4], ["x[1].x", "x[1].x'", "x[1].y", "x[1].y'"]);
     let states = [1.0, 0.0, 1.0, 0.0, 2.0, 0.0, 4.0, 0.0, 3.0, 0.5, 9.0, 0.0];
-    assert_near(value(&model, &states, "c.y"), 14.0 / 3.0);
-    assert_near(value(&model, &states, "turn.x"), -14.0 / 3.0);
-    assert_near(value(&model, &states, "w"), 0.0);
-    assert_near(value(&model, &states, "s"), 6.5);
+    assert_near(quantity_value(&model, &states, "c.y"), 14.0 / 3.0);
+    assert_near(quantity_value(&model, &states, "turn.x"), -14.0 / 3.0);
+    assert_near(quantity_value(&model, &states, "w"), 0.0);
+    assert_near(quantity_value(&model, &states, "s"), 6.5);
     let distance = |x: f64, y: f64| libm::pow(x * x + y * y, 1.5);
     assert_near(rates(&model, &states)[3], 3.0 / distance(1.0, 3.0) + 8.0 / distance(2.0, 8.0) - 1.0);
 }
@@ -129,9 +127,9 @@ fn events_set_vectors_and_components() {
 #[test]
 fn the_words_stay_names() {
     let model = compile("norm = 2\ndot = 3*norm\nfunction cross(a, b) = a*b + norm\nx = cross(dot, 2)\n");
-    assert_near(value(&model, &[], "x"), 14.0);
+    assert_near(quantity_value(&model, &[], "x"), 14.0);
     let model = compile("function norm(a, b) = a.x*b\nr = (2, 3)\nx = norm(r, 2)\n");
-    assert_near(value(&model, &[], "x"), 4.0);
+    assert_near(quantity_value(&model, &[], "x"), 4.0);
 }
 
 /// Initial values by components; all have one dimension.

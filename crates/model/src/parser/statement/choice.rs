@@ -9,11 +9,6 @@ use units::{Words, words};
 const FORM: Words = words("the form is: choice NAME { \"TEXT\": NAME = EXPRESSION }");
 
 impl Cursor<'_> {
-    /// True at `choice NAME`.
-    pub(in crate::parser) fn is_choice(&self) -> bool {
-        self.begins_with("choice")
-    }
-
     /// `choice liquid "Liquid" { "Water": rho = 998.2 [kg/m^3], eta = 1 [mPa s] }`
     pub(in crate::parser) fn choice(&mut self) -> Salvaged {
         let start = self.advance();

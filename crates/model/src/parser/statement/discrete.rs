@@ -1,19 +1,13 @@
 //! `discrete n = 0`: a quantity that only events change.
 
 use super::{Salvaged, nothing};
-use crate::lexer::{Symbol, TokenKind};
+use crate::lexer::Symbol;
 use crate::parser::cursor::{Cursor, Read};
 use crate::parser::unread;
 use crate::{Diagnostic, Expression, Members, Name, StatedUnit, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
-    /// True at `discrete NAME`. The word is reserved only there.
-    pub(in crate::parser) fn is_discrete(&self) -> bool {
-        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "discrete");
-        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
-    }
-
     /// `discrete n = 0 in [cm]`
     pub(in crate::parser) fn discrete(&mut self) -> Salvaged {
         let start = self.advance();

@@ -14,12 +14,6 @@ use units::words;
 const REDUCTIONS: [&str; 3] = ["sum", "min", "max"];
 
 impl Cursor<'_> {
-    /// True at `size NAME`. The word is reserved only there.
-    pub(in crate::parser) fn is_size(&self) -> bool {
-        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "size");
-        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
-    }
-
     /// `size N = 20 in 2..200`
     pub(in crate::parser) fn size(&mut self) -> Salvaged {
         let start = self.advance();

@@ -8,12 +8,6 @@ use crate::{Diagnostic, FunctionStatement, StatementKind};
 use units::words;
 
 impl Cursor<'_> {
-    /// True at `function NAME`. The word is reserved only there.
-    pub(in crate::parser) fn is_function(&self) -> bool {
-        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == "function");
-        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
-    }
-
     /// `function Re(v, d) = rho*abs(v)*d/eta in [1]`
     pub(in crate::parser) fn function(&mut self) -> Salvaged {
         let start = self.advance();

@@ -35,11 +35,6 @@ impl Cursor<'_> {
         matches!(self.peek_ahead(1), TokenKind::Symbol(Symbol::LeftParenthesis))
     }
 
-    /// True at `next NAME`.
-    pub(in crate::parser) fn is_next(&self) -> bool {
-        self.begins_with("next")
-    }
-
     /// `next p = r*p*(1 - p)`
     pub(in crate::parser) fn next_value(&mut self) -> Salvaged {
         let start = self.advance();

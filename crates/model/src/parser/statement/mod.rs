@@ -64,16 +64,16 @@ impl Cursor<'_> {
             TokenKind::Keyword(_) if *self.peek_ahead(1) == TokenKind::Symbol(Symbol::Equals) => {
                 (nothing(start), self.plain_name(&words("a quantity")).map(|_| ()))
             }
-            TokenKind::Name { .. } if self.is_discrete() => self.discrete(),
-            TokenKind::Name { .. } if self.is_function() => self.function(),
+            TokenKind::Name { .. } if self.begins_with("discrete") => self.discrete(),
+            TokenKind::Name { .. } if self.begins_with("function") => self.function(),
             TokenKind::Name { .. } if self.is_every() => self.every(),
             TokenKind::Name { .. } if self.is_button() => self.button(),
             TokenKind::Name { .. } if self.is_group() => self.group(),
-            TokenKind::Name { .. } if self.is_next() => self.next_value(),
-            TokenKind::Name { .. } if self.is_switch() => self.switch(),
-            TokenKind::Name { .. } if self.is_random() => self.random(),
-            TokenKind::Name { .. } if self.is_choice() => self.choice(),
-            TokenKind::Name { .. } if self.is_size() => self.size(),
+            TokenKind::Name { .. } if self.begins_with("next") => self.next_value(),
+            TokenKind::Name { .. } if self.begins_with("switch") => self.switch(),
+            TokenKind::Name { .. } if self.begins_with("random") => self.random(),
+            TokenKind::Name { .. } if self.begins_with("choice") => self.choice(),
+            TokenKind::Name { .. } if self.begins_with("size") => self.size(),
             TokenKind::Name { .. } if self.is_table() => self.table(first),
             TokenKind::Name { .. } if self.begins_with("for") => (nothing(start), self.no_loop()),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),

@@ -9,11 +9,6 @@ use units::words;
 const GREATEST: f64 = 9_007_199_254_740_992.0;
 
 impl Cursor<'_> {
-    /// True at `random NAME`.
-    pub(in crate::parser) fn is_random(&self) -> bool {
-        self.begins_with("random")
-    }
-
     /// `random seed = 1 in 1..9999`
     pub(in crate::parser) fn random(&mut self) -> Salvaged {
         let (mut kind, mut read) = self.parameter();

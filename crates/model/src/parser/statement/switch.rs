@@ -7,17 +7,6 @@ use crate::{Diagnostic, ParameterForm, ParameterStatement};
 use units::words;
 
 impl Cursor<'_> {
-    /// True at this word followed by a name. The word is reserved only there.
-    pub(in crate::parser) fn begins_with(&self, word: &str) -> bool {
-        let here = matches!(self.peek(), TokenKind::Name { text, order: 0, .. } if text == word);
-        here && matches!(self.peek_ahead(1), TokenKind::Name { .. })
-    }
-
-    /// True at `switch NAME`.
-    pub(in crate::parser) fn is_switch(&self) -> bool {
-        self.begins_with("switch")
-    }
-
     /// `switch drag = on`
     pub(in crate::parser) fn switch(&mut self) -> Salvaged {
         self.valued(&words("a switch"), ParameterForm::Switch, Self::on_or_off)

@@ -4,6 +4,12 @@ pub mod catalogue;
 use model::{Diagnostic, Edit, Fix, Severity};
 use program::{Graph, Model, Node, NodeId, Variable};
 
+/// Value of the quantity `name` for these values of the states.
+pub fn quantity_value(model: &Model, states: &[f64], name: &str) -> f64 {
+    let quantity = model.quantities.iter().find(|quantity| quantity.name == name).unwrap();
+    At::new(model, 0.0, states).value(&model.graph, quantity.value.node)
+}
+
 /// Compiles a text that consists of a model only; it must have no errors.
 #[track_caller]
 pub fn compile(source: &str) -> Model {

@@ -278,12 +278,5 @@ pub(super) fn sample(text: &str) -> Vec<&str> {
 fn shortened(line: &str) -> &str {
     const LONG: usize = 4000;
     let line = line.trim_end_matches(['\n', '\r']);
-    if line.len() <= LONG {
-        return line;
-    }
-    let mut end = LONG;
-    while !line.is_char_boundary(end) {
-        end -= 1;
-    }
-    &line[..end]
+    &line[..line.floor_char_boundary(LONG)]
 }

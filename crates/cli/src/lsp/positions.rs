@@ -5,7 +5,7 @@ use model::Span;
 
 /// Position of a byte offset.
 pub fn position(text: &str, offset: usize) -> Position {
-    let offset = floor(text, offset);
+    let offset = text.floor_char_boundary(offset);
     let start = text[..offset].rfind('\n').map_or(0, |end| end + 1);
     let line = text[..start].matches('\n').count();
     Position::new(line as u32, text[start..offset].encode_utf16().count() as u32)
@@ -30,11 +30,6 @@ pub fn offset(text: &str, position: Position) -> usize {
         units += letter.len_utf16();
     }
     start + line.len()
-}
-
-fn floor(text: &str, offset: usize) -> usize {
-    let offset = offset.min(text.len());
-    (0..=offset).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub enum Place<'a> {
 /// Kind of place at byte `offset`, and the span of the word before it.
 pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
     let source = outline.source();
-    let offset = floor(source, offset);
+    let offset = source.floor_char_boundary(offset);
     let line = source[..offset].rfind('\n').map_or(0, |end| end + 1)..offset;
     let matter = outline.front_matter().span;
     // An unfinished key has no colon yet, so the parsed front matter ends before it.
@@ -72,7 +72,7 @@ pub fn attribute_at(source: &str, offset: usize) -> Option<Span> {
 }
 
 fn around(source: &str, offset: usize, is_part: impl Fn(char) -> bool) -> Option<Span> {
-    let offset = floor(source, offset);
+    let offset = source.floor_char_boundary(offset);
     let start = offset - tail(&source[..offset], &is_part);
     let length = source[offset..].find(|letter| !is_part(letter)).unwrap_or(source.len() - offset);
     (start < offset + length).then(|| Span::new(start, offset + length))
@@ -90,12 +90,6 @@ pub fn attribute_around<'a>(outline: &Outline<'a>, offset: usize) -> Option<&'a 
     let before = tag[..quote].trim_end().strip_suffix('=')?.trim_end();
     let name = &before[before.rfind(char::is_whitespace).map_or(0, |blank| blank + 1)..];
     (!is_in_braces).then_some(name)
-}
-
-/// Nearest character boundary at or before `offset`.
-fn floor(source: &str, offset: usize) -> usize {
-    let offset = offset.min(source.len());
-    (0..=offset).rev().find(|&at| source.is_char_boundary(at)).unwrap_or(0)
 }
 
 fn letters(letter: char) -> bool {

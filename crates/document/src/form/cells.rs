@@ -2,7 +2,7 @@
 //! edited.
 
 use crate::text::scan::{find_any_word, top_level};
-use crate::text::source::trim;
+use crate::text::source::{trim, trimmed};
 use model::{ExpressionKind, Span, Statement, StatementKind};
 use std::ops::Range;
 
@@ -209,9 +209,4 @@ fn begins_as_initial_value(text: &str) -> bool {
 /// End of a range without trailing blanks.
 fn trimmed_end(source: &str, range: &Range<usize>) -> usize {
     range.start + source[range.clone()].trim_end().len()
-}
-
-/// Range without outer blanks; the beginning if it is blank.
-fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
-    if source[range.clone()].trim().is_empty() { range.start..range.start } else { trim(source, range) }
 }

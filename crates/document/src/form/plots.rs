@@ -5,7 +5,7 @@ use crate::blocks::plots::{POINTS, begins_with, is_equal_axes};
 use crate::blocks::profiles::HISTOGRAM;
 use crate::text::outline::Outline;
 use crate::text::scan::{find_any_word, leading_text, split, statements};
-use crate::text::source::trim;
+use crate::text::source::{trim, trimmed};
 use model::Span;
 use std::ops::Range;
 
@@ -108,9 +108,4 @@ fn cells(source: &str, statement: Range<usize>) -> Option<Vec<(PlotCell, String,
         add(PlotCell::Equal, equal.map_or(drawn.end..drawn.end, |equal| trim(source, equal)));
     }
     Some(cells)
-}
-
-/// Range without outer blanks; the beginning if it is blank.
-fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
-    if source[range.clone()].trim().is_empty() { range.start..range.start } else { trim(source, range) }
 }

@@ -137,7 +137,7 @@ impl Reader<'_> {
 
     /// Greatest length up to `length` and 40 bytes from `start` that ends on a character boundary.
     fn char_floor(&self, start: usize, length: usize) -> usize {
-        (0..=length.min(40)).rev().find(|length| self.source.is_char_boundary(start + length)).unwrap_or(0)
+        self.source.floor_char_boundary(start + length.min(40)).saturating_sub(start)
     }
 
     fn closing_tag(&mut self, open: &mut Vec<RawElement>) {

@@ -51,6 +51,11 @@ pub fn trim(source: &str, range: Range<usize>) -> Range<usize> {
     start..start + text.trim().len()
 }
 
+/// [`trim`], but the beginning of `range` instead of its end if it is blank.
+pub fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
+    if source[range.clone()].trim().is_empty() { range.start..range.start } else { trim(source, range) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,6 +5,7 @@ use crate::{documents::titles, documents::visited};
 use document::page::Source;
 use model::{Diagnostic, Fix, Label, Severity};
 use std::rc::Rc;
+use units::alphabet::capitalised;
 use units::order::sort;
 use units::{Language, Words};
 use view::views::*;
@@ -96,12 +97,6 @@ fn finding(
         .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
 }
 
-/// Sentence with a capital first letter.
-fn capitalised(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
-}
-
 /// Sentence of a diagnostic; text between backticks is code.
 fn with_code(sentence: &str) -> View {
     // An unpaired last backtick is an ordinary character.
@@ -132,7 +127,7 @@ struct Place {
 fn places(text: &str, labels: &[Label], language: Language) -> Vec<Place> {
     let mut lines: Vec<(usize, usize, Vec<&Label>)> = Vec::new();
     for label in labels {
-        let start = boundary(text, label.span.start);
+        let start = text.floor_char_boundary(label.span.start);
         let first = text[..start].rfind('\n').map_or(0, |at| at + 1);
         let last = text[start..].find('\n').map_or(text.len(), |at| start + at);
         match lines.iter_mut().find(|line| line.0 == first) {
@@ -143,21 +138,12 @@ fn places(text: &str, labels: &[Label], language: Language) -> Vec<Place> {
     lines.into_iter().map(|(first, last, labels)| Place::of(text, (first, last), &labels, language)).collect()
 }
 
-/// Greatest character boundary at or before byte `at`.
-fn boundary(text: &str, at: usize) -> usize {
-    let mut at = at.min(text.len());
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    at
-}
-
 impl Place {
     /// Marks the labels in one line. Of a span over several lines, the part in the first line is marked.
     fn of(text: &str, (first, last): (usize, usize), labels: &[&Label], language: Language) -> Self {
         let span = |label: &Label| {
-            let start = boundary(text, label.span.start);
-            (start, boundary(text, label.span.end).clamp(start, last))
+            let start = text.floor_char_boundary(label.span.start);
+            (start, text.floor_char_boundary(label.span.end).clamp(start, last))
         };
         let mut spans: Vec<(usize, usize)> = labels.iter().map(|label| span(label)).collect();
         sort(&mut spans);

@@ -1,8 +1,7 @@
 //! Old workbooks (XLS): contents of their cells, and limits for hostile files.
 
-use crate::support::all_sheets;
 use crate::support::old_workbook::{Cell, OldWorkbook, compound};
-use analysis::reading::{Contents, Reading, ReadingError};
+use crate::support::{all_sheets, in_slices};
 use analysis::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
 use calamine::{Data, Reader, Xls};
 use std::io::Cursor;
@@ -14,14 +13,6 @@ const MOST: usize = 1 << 20;
 
 fn sheets(bytes: Vec<u8>, budget: u64) -> Result<Vec<SheetText>, WorkbookError> {
     all_sheets(Workbook::open(bytes, MOST)?, budget)
-}
-
-fn read(bytes: Vec<u8>, budget: usize) -> Result<Contents, ReadingError> {
-    let mut reading = Reading::new(bytes, MOST)?;
-    while !reading.advance(budget)? {
-        assert!((0.0..=1.0).contains(&reading.progress()), "{}", reading.progress());
-    }
-    Ok(reading.finish().expect("it has ended"))
 }
 
 fn one(cells: Vec<(u16, u16, Cell)>) -> OldWorkbook {
@@ -131,7 +122,7 @@ fn another_reader_finds_the_same_numbers() {
         let bytes = table(rows, seed).bytes();
         let mut other: Xls<_> = Xls::new(Cursor::new(bytes.clone())).expect("a workbook");
         let range = other.worksheet_range("Film").expect("a sheet");
-        let found = read(bytes.clone(), usize::MAX).expect("a table");
+        let found = in_slices(bytes.clone(), MOST, usize::MAX).expect("a table");
         let columns = &found.import.table.columns;
         assert_eq!((columns[0].name.as_str(), columns[1].name.as_str(), found.import.findings.len()), ("t", "y", 1));
         assert_eq!(columns[0].values.len(), usize::from(rows));
@@ -147,7 +138,7 @@ fn another_reader_finds_the_same_numbers() {
                 .collect();
             assert_eq!(column.values, expected);
         }
-        assert_eq!(format!("{found:?}"), format!("{:?}", read(bytes, 100).expect("a table")));
+        assert_eq!(format!("{found:?}"), format!("{:?}", in_slices(bytes, MOST, 100).expect("a table")));
     }
 }
 
@@ -223,7 +214,7 @@ fn any_change_of_an_old_workbook_is_read_or_refused() {
                 _ => bytes.truncate(at.max(8)),
             }
         }
-        match read(bytes, 1 << 12) {
+        match in_slices(bytes, MOST, 1 << 12) {
             Ok(_) => read_again += 1,
             Err(error) => {
                 refused += 1;

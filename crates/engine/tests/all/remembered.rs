@@ -1,19 +1,11 @@
 //! Values that events remember, names local to events, and events that end the run.
 
-use crate::support::{model, run, setup};
-use engine::{Method, Readings, Run, Subject};
-use program::Model;
+use crate::support::{model, run, setup, value};
+use engine::{Method, Run, Subject};
 
 const STONE: &str = "g = 9.8 [m/s^2]\nx' = 3 [m/s]\nx(0) = 0 [m]\ny'' = -g\ny(0) = 0 [m]\ny'(0) = 4.9 [m/s]\n\
                      when y < 0 [m] as landing { y' = -0.5*y' }\nR = landing.x \"Range\"\nT = landing.time\n\
                      n = landing.count\nD = landing.interval\nu = landing.y'\n";
-
-/// A quantity at the end of a run.
-fn value(model: &Model, run: &Run, name: &str) -> f64 {
-    let node = model.lookup(name, 0).expect("a quantity").node;
-    let mut readings = Readings::new(model, &[node]);
-    readings.at(run.parameters(), run.initial(), run.time(), run.state())[0]
-}
 
 /// Thrown up with 4.9 m/s a stone lands after 1 s, and each flight takes half as long as the one before.
 #[test]

@@ -1,15 +1,7 @@
 //! Runs of models with vectors, against closed forms and conserved quantities.
 
-use crate::support::{model, run, setup};
-use engine::{Method, Readings, Run};
-use program::Model;
-
-/// A quantity at the end of a run.
-fn value(model: &Model, run: &Run, name: &str) -> f64 {
-    let node = model.lookup(name, 0).expect("a quantity").node;
-    let mut readings = Readings::new(model, &[node]);
-    readings.at(run.parameters(), run.initial(), run.time(), run.state())[0]
-}
+use crate::support::{model, run, setup, value};
+use engine::Method;
 
 /// In crossed fields a charge circles with qB/m, while the circle drifts with E/B at right angles to both.
 #[test]

@@ -1,19 +1,12 @@
 //! Fits whose sum of squares has several minima: further searches if the model has events or branches, and restarts from a
 //! lower minimum found by a profile.
 
+use super::kinks::theory;
 use crate::support::fitting::{fitted, model, observation, record, task, value};
 use crate::support::{Noise, utube};
 use analysis::fit::{Fit, Task, profiles};
 use engine::{Method, Run, Setup};
 use program::Model;
-use std::path::Path;
-
-/// A theory that ships, as its document states it.
-fn theory(name: &str) -> Model {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../simulations/theories").join(format!("{name}.md"));
-    let text = std::fs::read_to_string(path).unwrap();
-    model(text.split_once("```model").unwrap().1.split_once("```").unwrap().0)
-}
 
 const NAMES: [&str; 6] = ["L", "gamma", "mu", "y_0", "v_0", "c"];
 

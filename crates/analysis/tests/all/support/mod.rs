@@ -5,6 +5,7 @@ pub mod old_workbook;
 pub mod packed;
 pub mod variants;
 
+use analysis::reading::{Contents, Reading, ReadingError};
 use analysis::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use std::path::Path;
 use units::split_mix::SplitMix64;
@@ -59,4 +60,13 @@ pub fn all_sheets(mut workbook: Workbook, budget: u64) -> Result<Vec<SheetText>,
             Progress::End => return Ok(found),
         }
     }
+}
+
+/// Content of a file of at most `most` bytes expanded, read in slices of this many bytes.
+pub fn in_slices(bytes: Vec<u8>, most: usize, budget: usize) -> Result<Contents, ReadingError> {
+    let mut reading = Reading::new(bytes, most)?;
+    while !reading.advance(budget)? {
+        assert!((0.0..=1.0).contains(&reading.progress()), "{}", reading.progress());
+    }
+    Ok(reading.finish().expect("it has ended"))
 }

@@ -139,7 +139,7 @@ fn card(language: Language, simulation: &Simulation, curve: Option<&str>, words:
     } else {
         format!(" lang=\"{}\"", escaped(&edition.language))
     };
-    let page = percent_encoded(&simulation.page());
+    let page = percent_encoded(simulation.page());
     let heading = if simulation.folder().is_empty() { "h2" } else { "h3" };
     let drawing = curve.map_or_else(String::new, |path| {
         let (width, height) = curve::SIZE;

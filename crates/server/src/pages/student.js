@@ -254,10 +254,10 @@
     try { response = await ask(path, { token: seat.token }); } catch { /* Said below. */ }
     if (!response?.ok) { said = words().unreachable; return show(); }
     const link = document.createElement("a");
-    link.href = create.call(URL, new Blob([change(await response.text())], { type: response.headers.get("content-type") }));
+    link.href = URL.createObjectURL(new Blob([change(await response.text())], { type: response.headers.get("content-type") }));
     link.download = name;
-    click.call(link);
-    setTimeout(() => revoke.call(URL, link.href), 10000);
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   };
 
   // The line of the class at the top of the page.

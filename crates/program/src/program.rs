@@ -85,13 +85,13 @@ impl Program {
     /// The edition in `language`, or else in a variety of it (`pt-BR` for `pt`), or that of the document if there is none.
     pub fn edition(&self, language: &str) -> &Edition {
         let own = self.editions.iter().find(|edition| edition.language == language);
-        let variety = || self.editions.iter().find(|edition| primary(&edition.language) == primary(language));
+        let variety = || self.editions.iter().find(|edition| is_same_language(&edition.language, language));
         own.or_else(variety).unwrap_or(&self.editions[0])
     }
 
     /// True if the document is written in `language` or in a variety of it.
     pub fn is_in(&self, language: &str) -> bool {
-        self.languages().any(|own| primary(own) == primary(language))
+        self.languages().any(|own| is_same_language(own, language))
     }
 
     /// Translation of a text of the document into `language`; the original if there is none. Texts are labels, titles of
@@ -140,9 +140,10 @@ impl Program {
     }
 }
 
-/// The language of a tag, without its variety.
-fn primary(tag: &str) -> String {
-    tag.split('-').next().unwrap_or_default().to_ascii_lowercase()
+/// True if two tags are varieties of one language: `pt` and `pt-BR`.
+fn is_same_language(one: &str, other: &str) -> bool {
+    let primary = |tag: &str| tag.find('-').unwrap_or(tag.len());
+    one[..primary(one)].eq_ignore_ascii_case(&other[..primary(other)])
 }
 
 /// The parts of a document that differ between languages.

@@ -19,7 +19,7 @@ const MOST_OF_SEAT: u64 = 64 << 20;
 /// Maximum number of seats of a class.
 pub const MOST_SEATS: u32 = 10_000;
 
-/// What the teacher has set. The latest event of the teacher counts.
+/// Settings of the teacher. The latest event of the teacher counts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
@@ -63,7 +63,7 @@ pub enum Holder {
     Survey(Arc<Class>),
 }
 
-/// What a student gets by joining.
+/// Seat and token of a student who has joined.
 #[derive(Clone, Debug, Serialize)]
 pub struct Joined {
     /// Token of this device.

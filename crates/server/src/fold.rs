@@ -57,7 +57,7 @@ impl Part {
 #[derive(Clone, Debug, Default)]
 struct Parts(BTreeMap<String, (u64, u64, Box<RawValue>)>);
 
-/// What the hand-ins of a seat are made of.
+/// Latest parts of the hand-ins of a seat, by document.
 #[derive(Clone, Debug, Default)]
 pub struct Folded(BTreeMap<String, Parts>);
 

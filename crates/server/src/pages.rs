@@ -14,9 +14,10 @@ use units::Language;
 use units::markup::escaped;
 
 /// Script of the students' pages, and its style.
-const STUDENT: &str = concat!(include_str!("pages/parts.js"), include_str!("pages/student.js"));
+const STUDENT: &str =
+    concat!(include_str!("pages/parts.js"), include_str!("pages/stream.js"), include_str!("pages/student.js"));
 /// Script of the teacher's page.
-const TEACHER: &str = include_str!("pages/teacher.js");
+const TEACHER: &str = concat!(include_str!("pages/stream.js"), include_str!("pages/teacher.js"));
 const STYLE: &str = include_str!("pages/style.css");
 
 /// Policy of the list of the documents and of *What is stored*.

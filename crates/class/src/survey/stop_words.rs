@@ -36,7 +36,7 @@ const PORTUGUESE: &str = "a à ao aos aquela aquelas aquele aqueles aquilo as à
     suas só talvez também tanta tanto te tem têm tenho ter teria teve tinha tive toda todas todo todos tu tudo um uma umas uns vai vão \
     vez vezes você vocês";
 
-/// What is known of the comments in a language.
+/// Stemmer and stop words of a language.
 pub struct Known {
     /// The language.
     pub language: Language,

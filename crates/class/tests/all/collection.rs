@@ -258,7 +258,7 @@ fn a_later_form_of_a_file_replaces_the_former_one_in_a_lesson() {
     }
     let (_, shown) = collection.listed().next().unwrap();
     assert_eq!(shown.hand_in(), Some(&late));
-    // What was replaced holds nothing, and is a copy of nothing.
+    // A replaced hand-in holds nothing, and is a copy of nothing.
     assert!(collection.entries()[0].hand_in().unwrap().work.items.is_empty());
     assert!(collection.copies().is_empty());
 }

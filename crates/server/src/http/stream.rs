@@ -109,7 +109,7 @@ pub async fn of_teacher(State(server): State<Arc<Server>>, Teacher(class): Teach
     }))
 }
 
-/// The same as one message, after a wait of at most `wait` seconds.
+/// News as one message instead of a stream, after a wait of at most `wait` seconds.
 pub async fn poll(
     State(server): State<Arc<Server>>,
     Teacher(class): Teacher,

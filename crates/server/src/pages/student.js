@@ -179,7 +179,7 @@
 
   // State of the class: as a stream, or by asking where a proxy keeps streams back.
   let following = null;
-  const SILENCE = 4000, ASK = 4000;
+  const ASK = 4000;
   const take = (text) => {
     state = JSON.parse(text);
     offset = state.now - Date.now();
@@ -192,26 +192,12 @@
     const alive = () => following === control && seat;
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     while (alive()) {
-      let heard = false;
-      try {
-        const stream = new AbortController();
-        const watch = setTimeout(() => { if (!heard) stream.abort(); }, SILENCE);
-        const response = await ask("/api/stream", { token: seat.token, signal: stream.signal });
-        if (response.status === 401) return leave(words().token);
-        const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
-        let rest = "";
-        for (;;) {
-          const { value, done } = await reader.read();
-          if (done) break;
-          heard = true;
-          clearTimeout(watch);
-          const messages = (rest + value).split("\n\n");
-          rest = messages.pop();
-          for (const message of messages) if (message.startsWith("data: ")) take(message.slice(6));
-          if (!alive()) return void stream.abort();
-          if (problem === "unreachable") { pause = FIRST; send(); }
-        }
-      } catch { /* It is tried again. */ }
+      const open = (signal) => ask("/api/stream", { token: seat.token, signal });
+      const { status } = await readStream(open, take, () => {
+        if (alive() && problem === "unreachable") { pause = FIRST; send(); }
+        return alive();
+      });
+      if (status === 401) return leave(words().token);
       if (!alive()) return;
       try {
         const response = await ask("/api/state", { token: seat.token });

@@ -64,30 +64,11 @@
     show();
     pass();
   };
-  const SILENCE = 4000;
   const follow = async () => {
     for (;;) {
-      let heard = false;
-      try {
-        const stream = new AbortController();
-        const watch = setTimeout(() => { if (!heard) stream.abort(); }, SILENCE);
-        const response = await ask(`/api/teacher/stream?since=${since}`, { signal: stream.signal });
-        if (response.status === 401) { token = null; said = words().link; return show(); }
-        const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
-        let rest = "";
-        for (;;) {
-          const { value, done } = await reader.read();
-          if (done) break;
-          heard = true;
-          clearTimeout(watch);
-          const messages = (rest + value).split("\n\n");
-          rest = messages.pop();
-          for (const message of messages) {
-            const data = message.split("\n").find((line) => line.startsWith("data: "));
-            if (data) take(JSON.parse(data.slice(6)));
-          }
-        }
-      } catch { /* A proxy may keep streams back. */ }
+      const open = (signal) => ask(`/api/teacher/stream?since=${since}`, { signal });
+      const { heard, status } = await readStream(open, (data) => take(JSON.parse(data)));
+      if (status === 401) { token = null; said = words().link; return show(); }
       try {
         const response = await ask(`/api/teacher/events?since=${since}&wait=${heard ? 0 : 20}`);
         if (response.ok) take(await response.json());

@@ -1,5 +1,6 @@
 //! Texts of the languages. The page carries them packed, those of each module by themselves; English stands in the module.
 
+use crate::browser;
 use js_sys::{Function, Promise, Reflect, Uint8Array};
 use units::{Catalogue, Language};
 use wasm_bindgen::{JsCast, JsValue};
@@ -27,7 +28,7 @@ pub async fn load(module: &str, language: Language) {
     if !Catalogue::is_installed(language)
         && let Some(promise) = load().and_then(|load| load.call1(&JsValue::UNDEFINED, &id(module, language)).ok())
         && let Ok(promise) = promise.dyn_into::<Promise>()
-        && let Ok(bytes) = wasm_bindgen_futures::JsFuture::from(promise).await
+        && let Ok(bytes) = browser::wait(promise).await
     {
         install(language, &bytes);
     }

@@ -170,7 +170,8 @@ fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
     let source = crates.join("view").join("page");
     let font = source.join("math.woff2");
     let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
-    let style = style(kind.package, kind.styles)?.replace("/*math-font*/", &encoded(&font));
+    let font = style("math-font", &["view/page/math-font.css"])?.replace("/*math-font*/", &encoded(&font));
+    let style = style(kind.package, kind.styles)?;
     let opening = crates.join("lab").join("page").join("opening.js");
     let opening = if kind.is_laboratory { editor::minified(&opening)? } else { String::new() };
     let boot = opening + &editor::minified(&source.join("boot.js"))?;
@@ -184,6 +185,7 @@ fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
         ("<!--module-->", format!("{}{}</script>", page::MODULE, encoded(&player.packed))),
         ("<!--boot-->", script(&boot)),
         ("<!--texts-->", text_elements(page::TEXTS, &player.texts) + &script("textsArrived();")),
+        ("<!--font-->", format!("<style>\n{font}</style>")),
         (LATER, later.to_owned()),
     ] {
         if html.matches(marker).count() != 1 {

@@ -133,11 +133,11 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
     exports.each(all, |(kind, name)| one(format!("{}: {name}", words.fit_all), kind, true))
 }
 
-/// Mathematical font of this page, in base64; empty if its style sheet contains none. The address in the style sheet
-/// may be quoted or unquoted.
+/// Mathematical font of this page, in base64; empty in a site, whose style sheets are files. It stands in the first style sheet
+/// of the body. The address in the style sheet may be quoted or unquoted.
 fn math_font() -> String {
     const BEFORE: &str = "font/woff2;base64,";
-    let sheet = document().query_selector("head style").ok().flatten().and_then(|sheet| sheet.text_content());
+    let sheet = document().query_selector("body > style").ok().flatten().and_then(|sheet| sheet.text_content());
     let font = sheet.as_deref().and_then(|sheet| sheet.split_once(BEFORE)?.1.split_once(['"', ')']));
     font.map(|(font, _)| font.to_owned()).unwrap_or_default()
 }

@@ -1,7 +1,8 @@
-//! `meniscus lsp`: a language server for documents. Any editor can report errors, offer fixes, complete, explain,
-//! rename and format.
+//! `meniscus lsp`: a language server for documents. Any editor can report errors, offer fixes, complete, explain, find what
+//! declares a name and where it stands, list what a document contains, rename and format.
 
 mod answers;
+mod navigation;
 mod open_files;
 mod positions;
 mod transport;
@@ -12,7 +13,8 @@ use lsp_types::notification::{
     DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, Exit, Notification as _, PublishDiagnostics,
 };
 use lsp_types::request::{
-    CodeActionRequest, Completion, Formatting, HoverRequest, Initialize, Rename, Request as _, Shutdown,
+    CodeActionRequest, Completion, DocumentSymbolRequest, Formatting, GotoDefinition, HoverRequest, Initialize,
+    References, Rename, Request as _, Shutdown,
 };
 use lsp_types::{
     CodeActionProviderCapability, CompletionOptions, HoverProviderCapability, OneOf, PublishDiagnosticsParams,
@@ -34,13 +36,16 @@ pub fn serve(language: Language) -> Result<(), Failure> {
 
 fn capabilities() -> ServerCapabilities {
     ServerCapabilities {
-        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::FULL)),
+        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::INCREMENTAL)),
         completion_provider: Some(CompletionOptions {
             trigger_characters: Some(["[", "<", "`", "{"].map(str::to_owned).to_vec()),
             ..CompletionOptions::default()
         }),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         code_action_provider: Some(CodeActionProviderCapability::Simple(true)),
+        definition_provider: Some(OneOf::Left(true)),
+        references_provider: Some(OneOf::Left(true)),
+        document_symbol_provider: Some(OneOf::Left(true)),
         rename_provider: Some(OneOf::Left(true)),
         document_formatting_provider: Some(OneOf::Left(true)),
         ..ServerCapabilities::default()
@@ -92,9 +97,8 @@ fn noted(files: &mut OpenFiles, notification: Notification) -> Option<Vec<Uri>> 
             files.set(opened.uri, opened.text)
         }
         DidChangeTextDocument::METHOD => {
-            let mut changed = parameters::<DidChangeTextDocument>(notification.params)?;
-            // Full synchronisation: each change contains the whole text.
-            files.set(changed.text_document.uri, changed.content_changes.pop()?.text)
+            let changed = parameters::<DidChangeTextDocument>(notification.params)?;
+            files.change(changed.text_document.uri, changed.content_changes)?
         }
         DidCloseTextDocument::METHOD => {
             files.close(parameters::<DidCloseTextDocument>(notification.params)?.text_document.uri)
@@ -137,6 +141,11 @@ fn respond(files: &OpenFiles, state: &mut State, request: Request) -> Response {
         Completion::METHOD => answered::<Completion>(params, |asked| answers::completion(files, &asked)),
         HoverRequest::METHOD => answered::<HoverRequest>(params, |asked| answers::hover(files, &asked)),
         CodeActionRequest::METHOD => answered::<CodeActionRequest>(params, |asked| answers::remedies(files, &asked)),
+        GotoDefinition::METHOD => answered::<GotoDefinition>(params, |asked| navigation::definition(files, &asked)),
+        References::METHOD => answered::<References>(params, |asked| navigation::references(files, &asked)),
+        DocumentSymbolRequest::METHOD => {
+            answered::<DocumentSymbolRequest>(params, |asked| navigation::symbols(files, &asked))
+        }
         Formatting::METHOD => answered::<Formatting>(params, |asked| answers::formatting(files, &asked)),
         Rename::METHOD => match serde_json::from_value(params) {
             Ok(asked) => match answers::rename(files, &asked) {

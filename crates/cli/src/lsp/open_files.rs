@@ -1,7 +1,8 @@
 //! The files that are open in the editor.
 
+use super::positions::offset;
 use document::Opened;
-use lsp_types::Uri;
+use lsp_types::{TextDocumentContentChangeEvent, Uri};
 use percent_encoding::percent_decode_str;
 use program::Program;
 use std::borrow::Cow;
@@ -53,6 +54,22 @@ impl OpenFiles {
         self.check_translations(uri)
     }
 
+    /// Applies changes to a file, each to the result of the one before: of a range, or of the whole text if none is given. Returns
+    /// the files whose diagnostics may have changed; `None` if the file is not open.
+    pub fn change(&mut self, uri: Uri, changes: Vec<TextDocumentContentChangeEvent>) -> Option<Vec<Uri>> {
+        let mut text = self.get(&uri)?.text.clone();
+        for change in changes {
+            match change.range {
+                Some(range) => {
+                    let start = offset(&text, range.start);
+                    text.replace_range(start..offset(&text, range.end).max(start), &change.text);
+                }
+                None => text = change.text,
+            }
+        }
+        Some(self.set(uri, text))
+    }
+
     /// Closes a file. Returns the files whose diagnostics may have changed.
     pub fn close(&mut self, uri: Uri) -> Vec<Uri> {
         self.files.remove(uri.as_str());
@@ -94,7 +111,7 @@ impl OpenFiles {
     /// Opens a translation with its document, which is open in the editor or in a file beside it. Contains only
     /// diagnostics of the translation.
     fn translation(&self, uri: &Uri, base: &str, text: &str) -> Opened {
-        let Some(source) = parts(uri).and_then(|(folder, _)| self.text_beside(folder, base)) else {
+        let Some((_, source)) = self.beside(uri, base) else {
             let message = words!("the document `{base}` of this translation is not beside it");
             let place = document::read(text).front_matter().get("translates").map(|value| value.span);
             let missing = model::Diagnostic::warning("unknown-base", message, place.unwrap_or_default());
@@ -106,19 +123,30 @@ impl OpenFiles {
         opened
     }
 
-    /// Text of a file in a folder, from the editor or else from the disk.
-    fn text_beside(&self, folder: &str, name: &str) -> Option<String> {
+    /// Address and text of the document of a file: that which a translation names, or else the file itself.
+    pub fn document_of(&self, uri: &Uri) -> Option<(Uri, String)> {
+        let file = self.get(uri)?;
+        match document::translates(&file.text) {
+            Some(base) => self.beside(uri, &base),
+            None => Some((uri.clone(), file.text.clone())),
+        }
+    }
+
+    /// Address and text of the file with this name in the folder of another, from the editor or else from the disk.
+    fn beside(&self, uri: &Uri, name: &str) -> Option<(Uri, String)> {
+        let (folder, _) = parts(uri)?;
         let is_meant = |address: &str| {
             let parts = address.rsplit_once('/');
             parts.is_some_and(|(other, own)| other == folder && decoded(own).as_deref() == Some(name))
         };
-        if let Some((_, file)) = self.files.iter().find(|(address, _)| is_meant(address)) {
-            return Some(file.text.clone());
+        if let Some((address, file)) = self.files.iter().find(|(address, _)| is_meant(address)) {
+            return Some((address.parse().ok()?, file.text.clone()));
         }
         // Accepts a plain file name only, so that no text can refer to files outside the folder.
         let is_name = !name.contains(['/', '\\']);
         let path = is_name.then(|| path_of(folder)).flatten()?.join(name);
-        std::fs::read_to_string(path).ok()
+        let address = format!("{folder}/{}", percent_encoded(name)).parse().ok()?;
+        Some((address, std::fs::read_to_string(path).ok()?))
     }
 
     /// Translations of a document with their addresses: open files, and files beside the document.

@@ -1,18 +1,23 @@
-//! Editing help: completions at a place ([`complete`]) and explanations ([`explain`]). Both work while the text has errors.
+//! Editing help: completions at a place ([`complete`]), explanations ([`explain`]), the places of a name ([`uses()`]) and a list of
+//! what a document contains ([`symbols()`]). All work while the text has errors.
 
 mod names;
 mod place;
 mod suggestion;
+mod symbols;
+mod uses;
 mod vocabulary;
 
 pub(crate) use names::independent;
 pub use suggestion::{Completion, Explanation, Suggestion, SuggestionKind};
+pub use symbols::{Symbol, SymbolKind, symbols};
+pub use uses::{Uses, named, outer_places, uses, uses_of};
+pub(crate) use uses::{places_of, plain};
 
 use crate::{Outline, scene};
 use model::Span;
 use names::{dimension, names};
-pub(crate) use place::word_at;
-use place::{Place, attribute_around, attribute_at, place};
+use place::{Place, attribute_around, attribute_at, place, word_at};
 use program::Program;
 use units::{Dimension, QuantityName, Unit, Words, words};
 

@@ -1,8 +1,9 @@
 //! Names of a model with their descriptions.
 
+use super::place::word_at;
 use super::suggestion::{Suggestion, SuggestionKind};
 use crate::Outline;
-use model::{Expression, ExpressionKind, Statement, StatementKind};
+use model::{ExpressionKind, Name, Span, Statement, StatementKind};
 use program::{Model, Program};
 use units::{Dimension, Language, Unit, Words, words};
 
@@ -14,13 +15,10 @@ pub fn names(outline: &Outline, program: Option<&Program>) -> Vec<Suggestion> {
             names.push(name);
         }
     };
-    for statement in outline.blocks().iter().flat_map(|block| &block.statements) {
-        let label = statement.label.as_ref().map(|label| label.text.as_str());
-        for (text, what) in given(statement) {
-            let kind = if what == FUNCTION { SuggestionKind::Function } else { SuggestionKind::Name };
-            let meaning = described(text, label, what, program);
-            add(Suggestion { kind, text: text.to_owned(), meaning });
-        }
+    for Declared { name, what, label, .. } in declared(outline) {
+        let kind = if what == FUNCTION { SuggestionKind::Function } else { SuggestionKind::Name };
+        let meaning = described(name, label, what, program);
+        add(Suggestion { kind, text: name.to_owned(), meaning });
     }
     let independent = program.map_or("t", |program| &program.model.independent.name);
     for (text, meaning) in
@@ -43,31 +41,62 @@ pub fn independent(outline: &Outline) -> (String, String) {
     declared.next().unwrap_or_else(|| ("t".to_owned(), "s".to_owned()))
 }
 
-const FUNCTION: Words = words("function of this document");
+/// What a function of the document is.
+pub const FUNCTION: Words = words("function of this document");
 
-/// Names that a statement declares, with their kinds.
-fn given(statement: &Statement) -> Vec<(&str, Words)> {
+/// A name that a statement declares.
+pub struct Declared<'a> {
+    /// The name in ASCII letters.
+    pub name: &'a str,
+    /// Its place, without primes and indices.
+    pub span: Span,
+    /// What it is.
+    pub what: Words,
+    /// Label of the statement.
+    pub label: Option<&'a str>,
+}
+
+/// The names that a document declares, in text order. A state is declared once for each initial value.
+pub fn declared<'a>(outline: &'a Outline) -> Vec<Declared<'a>> {
+    let statements = outline.blocks().iter().flat_map(|block| &block.statements);
+    statements.flat_map(|statement| declared_by(outline, statement)).collect()
+}
+
+/// The names that a statement of the document declares.
+pub fn declared_by<'a>(outline: &Outline, statement: &'a Statement) -> Vec<Declared<'a>> {
+    let label = statement.label.as_ref().map(|label| label.text.as_str());
+    let named = given(statement).into_iter();
+    let declared = named.map(|(name, place, what)| {
+        let span = word_at(outline.source(), place.start).unwrap_or(place);
+        Declared { name, span, what, label }
+    });
+    declared.collect()
+}
+
+fn one(name: &Name, what: Words) -> Vec<(&str, Span, Words)> {
+    vec![(&name.text, name.span, what)]
+}
+
+/// Names that a statement declares, with the places where they begin and their kinds.
+fn given(statement: &Statement) -> Vec<(&str, Span, Words)> {
     match &statement.kind {
-        StatementKind::Parameter(parameter) => vec![(&parameter.name.text, words("parameter"))],
-        StatementKind::Size(size) => vec![(&size.name.text, words("size of families"))],
+        StatementKind::Parameter(parameter) => one(&parameter.name, words("parameter")),
+        StatementKind::Size(size) => one(&size.name, words("size of families")),
         StatementKind::Choice(choice) => {
             let values = choice.alternatives.iter().flat_map(|alternative| &alternative.values);
-            let chosen = values.map(|value| (value.name.text.as_str(), words("decided by a choice")));
-            std::iter::once((choice.name.text.as_str(), words("choice"))).chain(chosen).collect()
+            let chosen = values.flat_map(|value| one(&value.name, words("decided by a choice")));
+            one(&choice.name, words("choice")).into_iter().chain(chosen).collect()
         }
-        StatementKind::Definition { name, .. } => vec![(&name.text, words("quantity"))],
-        StatementKind::InitialValue { name, .. } => vec![(&name.text, words("state"))],
-        StatementKind::Discrete { name, .. } => {
-            vec![(&name.text, words("changes at events only"))]
-        }
-        StatementKind::Members { left: Expression { kind: ExpressionKind::Member { name, .. }, .. }, .. } => {
-            vec![(name, words("family"))]
-        }
-        StatementKind::Function(function) => vec![(&function.name.text, FUNCTION)],
-        StatementKind::Table(table) => vec![(&table.name.text, words("table"))],
-        StatementKind::Event { extras, .. } => {
-            extras.name.iter().map(|name| (name.text.as_str(), words("event"))).collect()
-        }
+        StatementKind::Definition { name, .. } => one(name, words("quantity")),
+        StatementKind::InitialValue { name, .. } => one(name, words("state")),
+        StatementKind::Discrete { name, .. } => one(name, words("changes at events only")),
+        StatementKind::Members { left, .. } => match &left.kind {
+            ExpressionKind::Member { name, .. } => vec![(name, left.span, words("family"))],
+            _ => Vec::new(),
+        },
+        StatementKind::Function(function) => one(&function.name, FUNCTION),
+        StatementKind::Table(table) => one(&table.name, words("table")),
+        StatementKind::Event { extras, .. } => extras.name.iter().flat_map(|name| one(name, words("event"))).collect(),
         _ => Vec::new(),
     }
 }

@@ -2,27 +2,11 @@
 
 use super::{Edit, EditError, layout};
 use crate::Opened;
-use crate::assist::{NameAt, name_at, names_in, word_at};
+use crate::assist::{NameAt, name_at, names_in, places_of, plain};
 use crate::text::outline::{Outline, read};
-use model::{ExpressionKind, Severity, Span};
+use model::{ExpressionKind, Severity};
 use program::Program;
 use program::functions::Function;
-
-/// Attributes whose values are texts, with expressions only in braces.
-const TEXTS: [&str; 12] = [
-    "id",
-    "class",
-    "style",
-    "href",
-    "viewBox",
-    "d",
-    "transform",
-    "text-anchor",
-    "font-family",
-    "clip-path",
-    "fill",
-    "stroke",
-];
 
 /// Renames the quantity at byte `offset` in the whole document: in the model, the drawing, plots, presets, questions and
 /// claims, and in the braces of the prose. Comments, labels and formulas are not changed. The renamed document computes
@@ -53,7 +37,7 @@ pub fn rename_with(
     let source = outline.source();
     let names = names_in(outline);
     let NameAt { span, .. } = name_at(outline, offset).ok_or(EditError::NoName)?;
-    let old = &source[span.range()];
+    let old = &*plain(&source[span.range()]);
     if !names.iter().any(|name| name == old) {
         return Err(EditError::NoName);
     }
@@ -108,20 +92,9 @@ fn computed(program: &Program) -> String {
     kept + rest
 }
 
-/// Edits that replace the old name where it means the quantity.
+/// Edits that replace the old name where it means the quantity, and where a local name is the same.
 fn in_file(outline: &Outline, old: &str, new: &str) -> Vec<Edit> {
-    // `vary` and `main` are lists of names.
-    let lists = ["vary", "main"].map(|key| outline.front_matter().get(key).map(|value| value.span));
-    let is_listed = |span: &Span| lists.iter().flatten().any(|all| all.start <= span.start && span.end <= all.end);
-    let places = outline.source().match_indices(old).map(|(at, _)| Span::new(at, at + old.len()));
-    let meant = |span: &Span| {
-        if is_listed(span) {
-            return word_at(outline.source(), span.end) == Some(*span);
-        }
-        let found = name_at(outline, span.end).filter(|found| found.span == *span);
-        found.is_some_and(|found| found.attribute.is_none_or(|attribute| !TEXTS.contains(&attribute)))
-    };
-    places.filter(meant).map(|span| Edit { span, text: new.to_owned() }).collect()
+    places_of(outline, old).into_iter().map(|span| Edit { span, text: new.to_owned() }).collect()
 }
 
 /// True if a text is a valid, unreserved name.

@@ -2,6 +2,7 @@
 
 mod bare;
 mod expression;
+mod locals;
 mod name;
 mod parts;
 mod statement;

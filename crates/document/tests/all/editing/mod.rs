@@ -9,3 +9,4 @@ pub mod outline;
 pub mod rename;
 pub mod templates;
 pub mod translating;
+pub mod uses;

@@ -17,7 +17,8 @@ pub(crate) use uses::{places_of, plain};
 use crate::{Outline, scene};
 use model::Span;
 use names::{dimension, names};
-use place::{Place, attribute_around, attribute_at, place, word_at};
+pub(crate) use place::name_at;
+use place::{Place, attribute_at, place, word_at};
 use program::Program;
 use units::{Dimension, QuantityName, Unit, Words, words};
 
@@ -81,22 +82,6 @@ pub fn explain(outline: &Outline, program: Option<&Program>, offset: usize) -> O
 pub fn typeset_at(outline: &Outline, offset: usize) -> String {
     let number = crate::form::places(outline).at(offset).map(|(number, _)| number);
     number.map_or_else(String::new, |number| model::typeset_one(&crate::form::statements(outline), number).concat())
-}
-
-/// A word that can be a name.
-pub(crate) struct NameAt<'a> {
-    /// Place in the document.
-    pub span: Span,
-    /// Attribute of the drawing in whose value it stands, outside braces.
-    pub attribute: Option<&'a str>,
-}
-
-/// The word at byte `offset`, if it stands in an expression.
-pub(crate) fn name_at<'a>(outline: &Outline<'a>, offset: usize) -> Option<NameAt<'a>> {
-    let span = word_at(outline.source(), offset)?;
-    let (place, _) = place(outline, span.end);
-    let attribute = attribute_around(outline, span.start);
-    matches!(place, Place::Statement | Place::Expression).then_some(NameAt { span, attribute })
 }
 
 /// Names that a model declares.

@@ -66,6 +66,22 @@ pub fn word_at(source: &str, offset: usize) -> Option<Span> {
     around(source, offset, |letter| letters(letter) || matches!(letter, '%' | '°' | 'µ' | 'Ω'))
 }
 
+/// A word that can be a name.
+pub struct NameAt<'a> {
+    /// Place in the document.
+    pub span: Span,
+    /// Attribute of the drawing in whose value it stands, outside braces.
+    pub attribute: Option<&'a str>,
+}
+
+/// The word at byte `offset`, if it stands in an expression.
+pub fn name_at<'a>(outline: &Outline<'a>, offset: usize) -> Option<NameAt<'a>> {
+    let span = word_at(outline.source(), offset)?;
+    let (place, _) = place(outline, span.end);
+    let attribute = attribute_around(outline, span.start);
+    matches!(place, Place::Statement | Place::Expression).then_some(NameAt { span, attribute })
+}
+
 /// The whole attribute at byte `offset`, such as `stroke-width`.
 pub fn attribute_at(source: &str, offset: usize) -> Option<Span> {
     around(source, offset, |letter| letters(letter) || letter == '-')
@@ -79,7 +95,7 @@ fn around(source: &str, offset: usize, is_part: impl Fn(char) -> bool) -> Option
 }
 
 /// Attribute of a drawing in whose value `offset` lies, outside braces.
-pub fn attribute_around<'a>(outline: &Outline<'a>, offset: usize) -> Option<&'a str> {
+fn attribute_around<'a>(outline: &Outline<'a>, offset: usize) -> Option<&'a str> {
     let mut scenes = outline.blocks_of(BlockKind::Scene);
     let scene = scenes.find(|block| block.content.start <= offset && offset <= block.content.end)?;
     let text = &outline.source()[scene.content.start..offset];

@@ -1,8 +1,7 @@
 //! Places where a name of the model stands.
 
-use super::names::declared;
-use super::place::word_at;
-use super::{NameAt, name_at};
+use super::names::{declared, independent};
+use super::place::{NameAt, name_at, word_at};
 use crate::Outline;
 use model::{ExpressionKind, Name, Span};
 use std::borrow::Cow;
@@ -67,7 +66,7 @@ pub fn uses(outline: &Outline, offset: usize) -> Option<Uses> {
 pub fn uses_of(outline: &Outline, name: &str) -> Option<Uses> {
     let declared: Vec<Span> =
         declared(outline).into_iter().filter(|one| one.name == name).map(|one| one.span).collect();
-    let is_given = || name == "pi" || name == super::independent(outline).0;
+    let is_given = || name == "pi" || name == independent(outline).0;
     if declared.is_empty() && !is_given() {
         return None;
     }

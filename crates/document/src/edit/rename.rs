@@ -2,7 +2,7 @@
 
 use super::{Edit, EditError, layout};
 use crate::Opened;
-use crate::assist::{NameAt, name_at, names_in, places_of, plain};
+use crate::assist::{name_at, names_in, places_of, plain};
 use crate::text::outline::{Outline, read};
 use model::{ExpressionKind, Severity};
 use program::Program;
@@ -36,7 +36,7 @@ pub fn rename_with(
 ) -> Result<Vec<Vec<Edit>>, EditError> {
     let source = outline.source();
     let names = names_in(outline);
-    let NameAt { span, .. } = name_at(outline, offset).ok_or(EditError::NoName)?;
+    let span = name_at(outline, offset).ok_or(EditError::NoName)?.span;
     let old = &*plain(&source[span.range()]);
     if !names.iter().any(|name| name == old) {
         return Err(EditError::NoName);

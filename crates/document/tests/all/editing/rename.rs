@@ -108,6 +108,15 @@ fn a_local_name_is_not_captured() {
     assert_eq!(renamed(drawn, "discrete n", "m"), Err(EditError::ComputesOthers("m".to_owned())));
 }
 
+/// Both spellings of a name are the same name.
+#[test]
+fn a_name_in_greek_letters_is_renamed() {
+    for written in ["parameter ω₀", "y = omega_0"] {
+        let good = renamed("parameter ω₀ = 2\ny = omega_0 + ω_0", written, "w").unwrap();
+        assert!(good.contains("parameter w = 2\ny = w + w"), "{good}");
+    }
+}
+
 /// Renaming the quantities of real documents.
 #[test]
 fn real_documents_are_renamed() {

@@ -19,6 +19,7 @@ mod page;
 mod run;
 mod serve;
 mod site;
+mod sweep;
 mod terminal;
 mod track;
 
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
     let result = match &arguments.command {
         Command::Serve(serve) => serve::serve(serve, terminal),
         Command::Run(run) => run::run(run, terminal),
+        Command::Sweep(sweep) => sweep::run(sweep, terminal),
         Command::Check(check) => check::check(check, terminal),
         Command::Cycles(cycles) => cycles::run(cycles, terminal),
         Command::Derivatives(derivatives) => derivatives::run(derivatives, terminal),

@@ -1,6 +1,6 @@
 //! An opened document: its text and its program.
 
-use model::{Diagnostic, Places, Span};
+use model::{Diagnostic, Functions, Places, Span};
 use program::Program;
 
 /// Result of opening a document.
@@ -37,6 +37,8 @@ pub struct Document {
     pub places: Places,
     /// Places of the claims of the checks in the source, in the order of [`Program::checks`].
     pub claims: Vec<Span>,
+    /// Functions that the document defines.
+    pub functions: Functions,
     /// The program made from the document.
     pub program: Program,
 }

@@ -169,7 +169,8 @@ impl<'a> File<'a> {
             checks: checks.checks,
         };
         let source = self.outline.source().to_owned();
-        let document = Document { source, translations: Vec::new(), places, claims: checks.places, program };
+        let claims = checks.places;
+        let document = Document { source, translations: Vec::new(), places, claims, functions, program };
         Read { document, statements, questions, survey: surveyed, scene_words: scene_words.unwrap_or_default() }
     }
 

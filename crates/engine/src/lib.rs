@@ -25,6 +25,7 @@ pub use methods::stepper::{Progress, ROUNDING, Stepper};
 pub use methods::tableau;
 pub use notice::{Notice, NoticeKind};
 pub use program::Method;
+pub use record::folds::Folds;
 pub use record::history::History;
 pub use record::readings::Readings;
 pub use record::{AfterJump, Record};

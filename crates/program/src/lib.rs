@@ -33,7 +33,7 @@ pub use model::{
     Button, Choices, Compared, Compiled, Dependence, Drawn, Event, Held, Independent, Jump, Kind, Model, Parameter,
     Quantity, Role, Sensitive, Size, Slope, Slopes, State, Switch, Table, Timed,
 };
-pub use plots::{Aggregate, AggregateKind, Curve, Drawing, Every, Members, Plot, Profile, Sweep, Taken};
+pub use plots::{Aggregate, AggregateKind, Curve, Drawing, Every, Members, Outcomes, Plot, Profile, Sweep, Taken};
 pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};

@@ -126,6 +126,18 @@ pub struct Aggregate {
     pub from: f64,
 }
 
+/// Numbers that are taken of each of many runs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outcomes {
+    /// Name, label and unit of each number.
+    pub curves: Vec<Curve>,
+    /// Expression of each number, in the order of the curves. It reads aggregates, parameters, initial values, and states and the
+    /// independent variable at the end of the run.
+    pub nodes: Vec<NodeId>,
+    /// Aggregates that the expressions read: each is the value of a further parameter after those of the model.
+    pub aggregates: Vec<Aggregate>,
+}
+
 /// Kind of number computed from a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum AggregateKind {

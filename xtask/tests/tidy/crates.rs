@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 23] = [
+const ARROWS: [(&str, &[&str]); 24] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
@@ -12,6 +12,7 @@ const ARROWS: [(&str, &[&str]); 23] = [
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
+    ("runner", &["engine", "program", "units"]),
     ("emit", &["engine", "program"]),
     ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
@@ -43,6 +44,7 @@ const ARROWS: [(&str, &[&str]); 23] = [
             "model",
             "program",
             "report",
+            "runner",
             "saved",
             "server",
             "units",
@@ -51,9 +53,9 @@ const ARROWS: [(&str, &[&str]); 23] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 14] = [
-    "units", "program", "model", "document", "engine", "emit", "analysis", "film", "figure", "report", "play", "saved",
-    "desk", "class",
+const CORE: [&str; 15] = [
+    "units", "program", "model", "document", "engine", "runner", "emit", "analysis", "film", "figure", "report",
+    "play", "saved", "desk", "class",
 ];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];

@@ -2,6 +2,7 @@
 
 pub(crate) mod assignments;
 pub(crate) mod limits;
+pub(crate) mod run_settings;
 pub(crate) mod settings;
 pub(crate) mod variable;
 
@@ -9,10 +10,11 @@ use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NE
 use crate::class::arguments::Class;
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
+use crate::sweep::arguments::{SWEEP_EXAMPLES, Sweep};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
-use assignments::{Assignment, Observe, assignment, observe, press, seat};
+use assignments::{Assignment, Observe, assignment, observe};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use program::Seat;
+use run_settings::RunSettings;
 use std::path::PathBuf;
 use units::Language;
 
@@ -61,6 +63,9 @@ pub enum Command {
     /// Run a document and write its table
     #[command(after_help = RUN_EXAMPLES)]
     Run(Run),
+    /// Run a document with many values of its parameters and write what is kept of each run
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(Sweep),
     /// Check documents and say what is wrong with them
     #[command(after_help = CHECK_EXAMPLES)]
     Check(Check),
@@ -151,45 +156,9 @@ pub struct Run {
     #[arg(value_name = "DOC")]
     pub document: PathBuf,
 
-    /// Take the assigned values of this seat
-    #[arg(long, value_name = "N", value_parser = seat)]
-    pub seat: Option<Seat>,
-
-    /// Change a parameter: a bare number is in the declared unit, `b='0.2 [t/s]'` names its own
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
-    pub set: Vec<Assignment>,
-
-    /// Start with this state instead of the document's initial value, such as y='10 [cm]'
-    #[arg(long = "start", value_name = "NAME=VALUE", value_parser = assignment)]
-    pub start: Vec<Assignment>,
-
-    /// Set the parameters of this preset of the document, before any --set
-    #[arg(long, value_name = "NAME")]
-    pub preset: Vec<String>,
-
-    /// Press a button of the document at a time, such as Kick=3.2; by its title, its translated title or its name
-    #[arg(long = "press", value_name = "BUTTON=T", value_parser = press)]
-    pub press: Vec<Assignment>,
-
-    /// Draw a table of the document through the points of a file with two columns, such as F=push.csv
-    #[arg(long = "draw", value_name = "TABLE=FILE", value_parser = assignment)]
-    pub draw: Vec<Assignment>,
-
-    /// Method of integration [default: the document's, or rk4]
-    #[arg(long, value_name = "METHOD")]
-    pub method: Option<String>,
-
-    /// The step, or with an adaptive method the distance between rows [default: the document's]
-    #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
-    pub step: Option<String>,
-
-    /// The relative error that an adaptive method may make in a step
-    #[arg(long, value_name = "X")]
-    pub tolerance: Option<f64>,
-
-    /// End of the run [default: the document's, or 100 s]
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
-    pub until: Option<String>,
+    /// Parameters, start, method and end of the run
+    #[command(flatten)]
+    pub settings: RunSettings,
 
     /// Columns in this order, also constants and parameters [default: all that changes]
     #[arg(long, value_name = "NAMES")]

@@ -1,7 +1,7 @@
-//! Conversion of the arguments of `meniscus run` to the setup of a run.
+//! Conversion of the settings on the command line to the setup of a run.
 
 use super::assignments::Assignment;
-use crate::arguments::Run;
+use crate::arguments::run_settings::RunSettings;
 use crate::class::take_seat;
 use crate::failure::{Failure, listed};
 use crate::load::Sources;
@@ -15,7 +15,7 @@ use units::Unit;
 use units::nearest;
 
 /// Setup of a run, and the value of the independent variable at its end, SI.
-pub fn setup(document: &mut Document, arguments: &Run, terminal: Terminal) -> Result<(Setup, f64), Failure> {
+pub fn setup(document: &mut Document, arguments: &RunSettings, terminal: Terminal) -> Result<(Setup, f64), Failure> {
     let parameters = resize(document, &arguments.set)?;
     take_seat(&mut document.program, arguments.seat)?;
     let mut setup = Setup::of(&document.program);
@@ -74,7 +74,7 @@ fn buttons(program: &Program, assignments: &[Assignment]) -> Result<Vec<usize>, 
 }
 
 /// Refuses method, step and tolerance for a discrete model, which advances by 1.
-fn refuse_steps(arguments: &Run) -> Result<(), Failure> {
+fn refuse_steps(arguments: &RunSettings) -> Result<(), Failure> {
     let given = [
         ("--method", arguments.method.is_some()),
         ("--step", arguments.step.is_some()),
@@ -268,7 +268,8 @@ fn apply_preset(document: &Document, name: &str, parameters: &mut [f64]) -> Resu
     Ok(())
 }
 
-fn within_range(parameter: &Parameter, value: f64) -> Result<(), Failure> {
+/// Refuses a value (SI) outside of the range of a parameter.
+pub fn within_range(parameter: &Parameter, value: f64) -> Result<(), Failure> {
     let Some((low, high)) = parameter.range else {
         return Ok(());
     };

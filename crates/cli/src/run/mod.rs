@@ -10,33 +10,37 @@ use crate::failure::Failure;
 use crate::load::{self, Loaded, Sources};
 use crate::terminal::Terminal;
 use crate::terminal::output::Output;
+use crate::terminal::progress;
 use document::Document;
 use engine::table::Table;
 use engine::{RunError, Subject};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use model::{Diagnostic, Span};
 use rows::Rows;
-use std::io::{IsTerminal, Write};
-use std::path::Path;
+use std::io::Write;
 
 /// Buffer size in bytes before rows are written.
 const CHUNK: usize = 1 << 16;
 /// Size in bytes of the run's history at which written rows are dropped.
 const HISTORY: usize = 1 << 20;
 
+/// Number of steps from which on progress is shown.
+const LONG: u64 = 200_000;
+
 /// Runs the document from 0 to the end.
 pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
     let sources = load::sources(&arguments.document)?;
     // A button may be named by its translated title.
-    let loaded = Loaded::open(if arguments.press.is_empty() { sources.without_translations() } else { sources });
+    let loaded =
+        Loaded::open(if arguments.settings.press.is_empty() { sources.without_translations() } else { sources });
     terminal.report(&loaded);
     let refused = loaded.opened.has_errors();
     let Loaded { sources, opened } = loaded;
     let Some(mut document) = opened.document.filter(|_| !refused) else {
         return Err(Failure::Document);
     };
-    let (mut setup, until) = settings::setup(&mut document, arguments, terminal)?;
-    drawn::draw(&mut document, &arguments.draw)?;
+    let (mut setup, until) = settings::setup(&mut document, &arguments.settings, terminal)?;
+    drawn::draw(&mut document, &arguments.settings.draw)?;
     setup.drawings = document.program.model.drawings();
     let model = &document.program.model;
     let table = match &arguments.columns {
@@ -61,7 +65,10 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
         Some(path) => Output::to(path, &sources)?,
         None => Output::standard(),
     };
-    let progress = progress(steps, arguments.output.as_deref());
+    let progress = match steps {
+        0..LONG => ProgressBar::hidden(),
+        _ => progress::bar(steps, "steps", arguments.output.as_deref()),
+    };
     let rows = Rows::new(table, format(arguments));
     let mut writer = Writer { output, rows, text: String::new() };
     writer.rows.head(&mut writer.text);
@@ -141,7 +148,7 @@ fn place(document: &Document, subject: Subject) -> Option<Span> {
 }
 
 /// Reports why a run cannot start or continue, with the position in the document if known.
-fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Terminal) -> Failure {
+pub(crate) fn failed(sources: &Sources, document: &Document, error: &RunError, terminal: Terminal) -> Failure {
     let span = error.subject().and_then(|subject| place(document, subject));
     let (message, hint) = (error.message(&document.program.model), error.hint());
     match span {
@@ -163,20 +170,6 @@ fn format(arguments: &Run) -> Format {
         }
     };
     arguments.format.or_else(by_ending).unwrap_or(Format::Csv)
-}
-
-/// Progress bar on the terminal; hidden if the table is written there. indicatif shows nothing if the standard error is
-/// not a terminal.
-fn progress(steps: u64, output: Option<&Path>) -> ProgressBar {
-    let table_on_screen = output.is_none_or(|path| path == Path::new("-")) && std::io::stdout().is_terminal();
-    let target =
-        if table_on_screen || steps < 200_000 { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let bar = ProgressBar::with_draw_target(Some(steps), target);
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {human_pos} of {human_len} steps  {eta} left");
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }
 
 /// Writer of the table.

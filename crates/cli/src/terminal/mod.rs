@@ -3,6 +3,7 @@
 pub(crate) mod excerpt;
 pub(crate) mod language;
 pub(crate) mod output;
+pub(crate) mod progress;
 pub(crate) mod quoted;
 pub(crate) mod unfinished;
 pub(crate) mod visible;

@@ -27,4 +27,5 @@ mod run;
 mod seats;
 mod strangers;
 mod surveys;
+mod sweep;
 mod track;

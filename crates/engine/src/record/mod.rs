@@ -4,6 +4,7 @@ pub mod csv;
 pub mod table;
 
 pub(crate) mod checkpoints;
+pub(crate) mod folds;
 pub(crate) mod history;
 pub(crate) mod ranges;
 pub(crate) mod readings;

@@ -2,9 +2,9 @@
 //! computed in time slices.
 
 use crate::time::course::Course;
-use engine::{Advance, Readings, Run, RunError, Setup};
+use engine::{Advance, Folds, Readings, Run, RunError, Setup};
 use figure::Interval;
-use program::{Aggregate, AggregateKind, Model, NodeId, Plot, Sweep, Taken};
+use program::{Model, NodeId, Plot, Sweep, Taken};
 use units::Unit;
 
 /// Curves of one plot over the values of a parameter, as far as computed.
@@ -39,46 +39,11 @@ pub(crate) struct Swept {
 struct Going {
     run: Run,
     /// Intermediate results of the aggregates.
-    folds: Vec<Fold>,
-    /// Time (SI) and values at the previous row.
-    before: Option<(f64, Vec<f64>)>,
+    folds: Folds,
+    /// Values at the previous row, for points.
+    before: Option<Vec<f64>>,
     /// Number of points taken from this run.
     points: usize,
-}
-
-/// Intermediate result of an aggregate.
-#[derive(Clone, Copy, Debug, Default)]
-struct Fold {
-    value: Option<f64>,
-    /// Duration over which the integral has been taken, SI.
-    duration: f64,
-}
-
-impl Fold {
-    /// Adds the value at `time` (SI); `before` holds time and value at the previous row.
-    fn take(&mut self, of: &Aggregate, before: Option<(f64, f64)>, time: f64, value: f64) {
-        if time < of.from {
-            return;
-        }
-        match of.kind {
-            AggregateKind::Maximum => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
-            AggregateKind::Minimum => self.value = Some(self.value.map_or(value, |least| least.min(value))),
-            // Trapezoidal rule; the spacing of the rows may vary.
-            AggregateKind::Mean | AggregateKind::Integral => {
-                let Some((start, first)) = before.filter(|(start, _)| *start >= of.from) else { return };
-                let area = (time - start) * (first + value) / 2.0;
-                self.value = Some(self.value.unwrap_or(0.0) + area);
-                self.duration += time - start;
-            }
-        }
-    }
-
-    fn result(self, of: &Aggregate) -> f64 {
-        match (self.value, of.kind) {
-            (Some(area), AggregateKind::Mean) => area / self.duration,
-            (value, _) => value.unwrap_or(f64::NAN),
-        }
-    }
 }
 
 impl Swept {
@@ -197,8 +162,7 @@ impl Swept {
         let mut setup = self.setup.clone()?;
         *setup.parameters.get_mut(self.sweep.parameter)? = self.sweep.values().nth(self.done)?;
         let run = Run::start(model, setup).ok()?;
-        let mut going =
-            Going { run, folds: vec![Fold::default(); self.sweep.aggregates.len()], before: None, points: 0 };
+        let mut going = Going { run, folds: Folds::new(&self.sweep.aggregates), before: None, points: 0 };
         self.take(&mut going, 0);
         Some(going)
     }
@@ -210,23 +174,19 @@ impl Swept {
         if time > self.sweep.until * (1.0 + engine::ROUNDING) {
             return;
         }
-        let values = self.rows.at_row(history, row).to_vec();
         if self.is_of_points() {
+            let values = self.rows.at_row(history, row).to_vec();
             self.add_points(going, time, &values);
+            going.before = Some(values);
+        } else {
+            going.folds.take(&self.sweep.aggregates, time, self.rows.at_row(history, row));
         }
-        for (number, (fold, of)) in going.folds.iter_mut().zip(&self.sweep.aggregates).enumerate() {
-            let before = going.before.as_ref().and_then(|(time, values)| Some((*time, *values.get(number)?)));
-            if let Some(value) = values.get(number) {
-                fold.take(of, before, time, *value);
-            }
-        }
-        going.before = Some((time, values));
     }
 
     /// Appends one point per curve: the values at this row, or, if an event has fired since the previous row, those of
     /// that row.
     fn add_points(&mut self, going: &mut Going, time: f64, values: &[f64]) {
-        let before = going.before.as_ref().map(|(_, values)| values.as_slice());
+        let before = going.before.as_deref();
         let taken = match (self.sweep.at, before) {
             (None, _) => Some(values),
             (Some(_), Some(before)) if values.last() > before.last() => Some(before),
@@ -284,7 +244,7 @@ impl Swept {
         let history = going.run.history();
         let last = self.sweep.until * (1.0 + engine::ROUNDING);
         let Some(row) = (0..history.len()).rev().find(|row| history.time(*row) <= last) else { return };
-        let aggregates = going.folds.iter().zip(&self.sweep.aggregates).map(|(fold, of)| fold.result(of));
+        let aggregates = going.folds.results(&self.sweep.aggregates);
         let parameters: Vec<f64> = history.parameters(row).iter().copied().chain(aggregates).collect();
         let mut state = vec![0.0; history.states()];
         history.state(row, &mut state);

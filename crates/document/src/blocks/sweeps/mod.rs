@@ -10,7 +10,8 @@ use crate::expressions::Expressions;
 use crate::text::scan::find_word;
 use crate::text::source::trim;
 use model::{Diagnostic, ExpressionKind, Name, Span};
-use program::{Choices, NodeId, Sweep, Taken};
+use program::{Choices, NodeId, Outcomes, Sweep, Taken};
+pub use range::Limits;
 use range::limits;
 use std::ops::Range;
 use units::words;
@@ -53,25 +54,7 @@ pub fn read(
     (swept, kind): (&Swept, Kind),
     until: Option<f64>,
 ) -> Option<(Placed, Vec<Placed>, Sweep)> {
-    let source = expressions.source;
-    let (name, _, found) = model::parse_expression(source, swept.name.clone());
-    let ExpressionKind::Name { name, order: 0 } = name.kind else {
-        expressions.diagnostics.extend(found);
-        let message = words!("`{}` is not the name of a parameter", &source[swept.name.clone()]);
-        expressions.error("sweep", message, span(&swept.name));
-        return None;
-    };
-    let parameter = expressions.parameter(&Name { text: name.clone(), span: span(&swept.name) })?;
-    let choices = expressions.model().parameters.get(parameter).map(|parameter| &parameter.choices);
-    let is_seed = choices == Some(&Choices::Seed);
-    if !is_seed && choices != Some(&Choices::Numbers) {
-        let message = words!("`{name}` has no range of values: it is a switch or a choice");
-        let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
-        expressions.diagnostics.push(diagnostic.with_hint(words("sweep a parameter that is a number")));
-        return None;
-    }
-    let abscissa = curves::read(expressions, swept.name.clone())?;
-    let limits = limits(expressions, swept.range.clone(), &abscissa.curve.value.unit.clone())?;
+    let Values { parameter, is_seed, abscissa, limits } = values(expressions, swept)?;
     let (mut drawn, mut taken, mut aggregates) = (Vec::new(), Vec::new(), Vec::new());
     let mut first = 0.0_f64;
     for part in parts {
@@ -104,6 +87,59 @@ pub fn read(
         sweep.until = end(expressions, first, until, span(&swept.range))?;
     }
     Some((abscissa, drawn, sweep))
+}
+
+/// A parameter and the range of its values.
+struct Values {
+    parameter: usize,
+    /// Its values are whole numbers.
+    is_seed: bool,
+    /// The parameter as horizontal axis.
+    abscissa: Placed,
+    limits: Limits,
+}
+
+/// Reads a parameter and the range of its values.
+fn values(expressions: &mut Expressions, swept: &Swept) -> Option<Values> {
+    let source = expressions.source;
+    let (name, _, found) = model::parse_expression(source, swept.name.clone());
+    let ExpressionKind::Name { name, order: 0 } = name.kind else {
+        expressions.diagnostics.extend(found);
+        let message = words!("`{}` is not the name of a parameter", &source[swept.name.clone()]);
+        expressions.error("sweep", message, span(&swept.name));
+        return None;
+    };
+    let parameter = expressions.parameter(&Name { text: name.clone(), span: span(&swept.name) })?;
+    let choices = expressions.model().parameters.get(parameter).map(|parameter| &parameter.choices);
+    let is_seed = choices == Some(&Choices::Seed);
+    if !is_seed && choices != Some(&Choices::Numbers) {
+        let message = words!("`{name}` has no range of values: it is a switch or a choice");
+        let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
+        expressions.diagnostics.push(diagnostic.with_hint(words("sweep a parameter that is a number")));
+        return None;
+    }
+    let abscissa = curves::read(expressions, swept.name.clone())?;
+    let limits = limits(expressions, swept.range.clone(), &abscissa.curve.value.unit.clone())?;
+    Some(Values { parameter, is_seed, abscissa, limits })
+}
+
+/// Reads `omega in 1..12 [rad/s] step 0.1`: index of the parameter, and its range.
+pub fn parameter_range(expressions: &mut Expressions, swept: &Swept) -> Option<(usize, Limits)> {
+    values(expressions, swept).map(|Values { parameter, limits, .. }| (parameter, limits))
+}
+
+/// Reads numbers that are taken of each of many runs.
+pub fn outcomes(expressions: &mut Expressions, parts: Vec<Range<usize>>) -> Option<Outcomes> {
+    let mut outcomes = Outcomes::default();
+    for part in parts {
+        let drawn = drawn::line(expressions, part, &mut outcomes.aggregates)?;
+        outcomes.nodes.push(match drawn.taken {
+            Taken::Run(node) => node,
+            Taken::Value | Taken::Points(_) => drawn.curve.curve.value.node,
+        });
+        outcomes.curves.push(drawn.curve.curve);
+    }
+    Some(outcomes)
 }
 
 /// End of the runs, which must be later than `first`, the latest time from which a curve is evaluated (SI).

@@ -8,9 +8,13 @@ use std::ops::Range;
 use units::{Unit, words};
 
 /// Ends of a range, and the distance between its values (SI).
-pub(super) struct Limits {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Least value.
     pub low: f64,
+    /// Greatest value.
     pub high: f64,
+    /// Distance of the values; `None` if it is not stated.
     pub step: Option<f64>,
 }
 

@@ -1,0 +1,210 @@
+//! `meniscus sweep`: runs a document with many values of its parameters and writes what is kept of each run.
+
+pub(crate) mod arguments;
+mod axes;
+
+use crate::arguments::settings;
+use crate::failure::Failure;
+use crate::load::{self, Loaded, Sources};
+use crate::run::{drawn, failed};
+use crate::terminal::Terminal;
+use crate::terminal::output::Output;
+use crate::terminal::progress;
+use arguments::Sweep;
+use document::Document;
+use engine::RunError;
+use engine::csv::Dialect;
+use program::Outcomes;
+use runner::{Outcome, Plan, PlanError, Points};
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+use units::{Words, words};
+
+/// Time for which runs are computed together before their rows are written.
+const TOGETHER: Duration = Duration::from_millis(200);
+
+/// Greatest number of runs that are computed together.
+const MOST_TOGETHER: u64 = 1 << 14;
+
+/// Runs the document with all values.
+pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
+    if let Some(threads) = arguments.threads {
+        runner::use_threads(threads);
+    }
+    let sources = load::sources(&arguments.document)?;
+    let loaded = Loaded::open(sources);
+    terminal.report(&loaded);
+    let refused = loaded.opened.has_errors();
+    let Loaded { sources, opened } = loaded;
+    let Some(mut document) = opened.document.filter(|_| !refused) else { return Err(Failure::Document) };
+    let (mut setup, until) = settings::setup(&mut document, &arguments.settings, terminal)?;
+    drawn::draw(&mut document, &arguments.settings.draw)?;
+    setup.drawings = document.program.model.drawings();
+    let plan = plan(&mut document, arguments, &setup.parameters, terminal)?;
+    let outcomes = kept(&mut document, &arguments.keep.join(", "), terminal)?;
+    let output = match &arguments.output {
+        Some(path) => Output::to(path, &sources)?,
+        None => Output::standard(),
+    };
+    let sweep = runner::Sweep::new(&document.program.model, (&setup, until), &plan, &outcomes);
+    let runs = plan.share(arguments.shard.number, arguments.shard.of.get());
+    let progress = progress::bar(runs.end - runs.start, "runs", arguments.output.as_deref());
+    let mut table = Table::new(output, &document, &plan, &outcomes);
+    let mut missing = Missing::default();
+    let (mut next, mut together) = (runs.start, runner::threads() as u64);
+    while next < runs.end {
+        let part = next..runs.end.min(next + together);
+        let begun = Instant::now();
+        for outcome in sweep.compute(part.clone()) {
+            table.row(&outcome)?;
+            missing.note(outcome);
+        }
+        next = part.end;
+        progress.set_position(next - runs.start);
+        if begun.elapsed() < TOGETHER {
+            together = (2 * together).min(MOST_TOGETHER);
+        }
+    }
+    progress.finish_and_clear();
+    table.finish()?;
+    missing.report(&runs, (&sources, &document), terminal)
+}
+
+/// The runs, as `--over` says.
+fn plan(document: &mut Document, arguments: &Sweep, parameters: &[f64], terminal: Terminal) -> Result<Plan, Failure> {
+    let axes = arguments.over.iter().map(|text| axes::read(document, text, parameters, terminal));
+    let axes = axes.collect::<Result<Vec<_>, _>>()?;
+    let points = match (arguments.random, arguments.halton) {
+        (Some(runs), _) => Points::Random(runs, arguments.seed),
+        (_, Some(runs)) => Points::Halton(runs),
+        _ => Points::Grid,
+    };
+    Plan::new(axes, points).map_err(|error| match error {
+        PlanError::NoStep(axis) => {
+            let over = &arguments.over[axis];
+            Failure::in_words(
+                words!("--over {over}: it is not said how far apart the values are"),
+                words("give a step, as in `b in 0..100 step 2`, or take samples with --random N or --halton N"),
+            )
+        }
+        PlanError::TooMany => refusal(words!("these are more runs than {}, the most", Plan::MOST)),
+        PlanError::TooManyAxes => {
+            refusal(words!("--halton is for at most {} parameters; take --random for more", Plan::AXES))
+        }
+        PlanError::Twice(parameter) => {
+            let name = document.program.model.parameters.get(parameter).map_or("", |parameter| &parameter.name);
+            refusal(words!("--over names the parameter {name} twice"))
+        }
+    })
+}
+
+fn refusal(message: Words) -> Failure {
+    Failure::Request { message, hint: None }
+}
+
+/// What is kept of each run.
+fn kept(document: &mut Document, text: &str, terminal: Terminal) -> Result<Outcomes, Failure> {
+    document::outcomes(document, text).map_err(|found| {
+        let source = Sources::of_text("--keep", text);
+        found.iter().for_each(|diagnostic| terminal.report_one(&source, diagnostic));
+        Failure::Argument
+    })
+}
+
+/// Writer of the rows, as CSV.
+struct Table<'a> {
+    output: Output,
+    document: &'a Document,
+    plan: &'a Plan,
+    /// Number of columns with what is kept.
+    kept: usize,
+    text: String,
+}
+
+impl<'a> Table<'a> {
+    fn new(output: Output, document: &'a Document, plan: &'a Plan, outcomes: &Outcomes) -> Self {
+        let mut text = "run".to_owned();
+        let parameters = &document.program.model.parameters;
+        let axes = plan.axes().iter().filter_map(|axis| parameters.get(axis.parameter));
+        let axes = axes.map(|parameter| (parameter.name.as_str(), &parameter.unit));
+        let kept = outcomes.curves.iter().map(|curve| {
+            let label = curve.label.as_deref().filter(|_| curve.named);
+            (label.unwrap_or(&curve.expression), &curve.value.unit)
+        });
+        for (name, unit) in axes.chain(kept) {
+            let heading = if unit.text.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
+            text.push(',');
+            // Writing to a string cannot fail.
+            let _ = Dialect::Lines.text(&mut text, &heading);
+        }
+        text.push('\n');
+        Self { output, document, plan, kept: outcomes.curves.len(), text }
+    }
+
+    fn row(&mut self, outcome: &Outcome) -> Result<(), Failure> {
+        let parameters = &self.document.program.model.parameters;
+        let text = &mut self.text;
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{}", outcome.run + 1);
+        for (axis, value) in self.plan.axes().iter().zip(&outcome.axes) {
+            text.push(',');
+            if let Some(parameter) = parameters.get(axis.parameter) {
+                let _ = match parameter.word(*value, &self.document.program.model.texts) {
+                    Some(word) => Dialect::Lines.text(text, word),
+                    None => Dialect::Lines.number(text, parameter.unit.from_si(*value)),
+                };
+            }
+        }
+        let taken = outcome.taken.as_deref().unwrap_or_default();
+        for number in 0..self.kept {
+            text.push(',');
+            let _ = Dialect::Lines.number(text, taken.get(number).copied().unwrap_or(f64::NAN));
+        }
+        text.push('\n');
+        self.write()
+    }
+
+    fn write(&mut self) -> Result<(), Failure> {
+        let written = self.output.write_all(self.text.as_bytes());
+        self.text.clear();
+        written.map_err(|error| self.output.failure(&error))
+    }
+
+    fn finish(mut self) -> Result<(), Failure> {
+        self.write()?;
+        self.output.finish()
+    }
+}
+
+/// Runs that could not be computed.
+#[derive(Default)]
+struct Missing {
+    count: u64,
+    first: Option<(u64, RunError)>,
+}
+
+impl Missing {
+    fn note(&mut self, outcome: Outcome) {
+        if let Err(error) = outcome.taken {
+            self.count += 1;
+            self.first.get_or_insert((outcome.run, error));
+        }
+    }
+
+    /// Says how many runs are missing, and why the first one is. It is a failure if all are.
+    fn report(
+        self,
+        runs: &Range<u64>,
+        (sources, document): (&Sources, &Document),
+        terminal: Terminal,
+    ) -> Result<(), Failure> {
+        let Some((run, error)) = self.first else { return Ok(()) };
+        let (count, all) = (self.count, runs.end - runs.start);
+        let why = words!("{count} of {all} runs could not be computed; the first is run {}", run + 1);
+        terminal.error(&why.text(terminal.language), None);
+        let failure = failed(sources, document, &error, terminal);
+        if count == all { Err(failure) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,76 @@
+//! Numbers of a whole run, taken row by row: maximum, minimum, mean, integral.
+
+use program::{Aggregate, AggregateKind};
+
+/// Intermediate results of aggregates of one run.
+#[derive(Clone, Debug, Default)]
+pub struct Folds {
+    folds: Vec<Fold>,
+    /// Time (SI) and operands at the previous row.
+    before: Option<(f64, Vec<f64>)>,
+}
+
+/// Intermediate result of an aggregate.
+#[derive(Clone, Copy, Debug, Default)]
+struct Fold {
+    value: Option<f64>,
+    /// Duration over which the integral has been taken, SI.
+    duration: f64,
+}
+
+impl Folds {
+    /// Before the first row.
+    pub fn new(aggregates: &[Aggregate]) -> Self {
+        Self { folds: vec![Fold::default(); aggregates.len()], before: None }
+    }
+
+    /// Takes the next row: its time (SI), and the operands of the aggregates there.
+    pub fn take(&mut self, aggregates: &[Aggregate], time: f64, operands: &[f64]) {
+        for (number, (fold, of)) in self.folds.iter_mut().zip(aggregates).enumerate() {
+            let before = self.before.as_ref().and_then(|(time, values)| Some((*time, *values.get(number)?)));
+            if let Some(value) = operands.get(number) {
+                fold.take(of, before, time, *value);
+            }
+        }
+        match &mut self.before {
+            Some((before, values)) => {
+                *before = time;
+                values.clear();
+                values.extend_from_slice(operands);
+            }
+            none => *none = Some((time, operands.to_vec())),
+        }
+    }
+
+    /// The values of the aggregates up to the last row; NaN for one that has not begun to count.
+    pub fn results(&self, aggregates: &[Aggregate]) -> impl Iterator<Item = f64> {
+        self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of))
+    }
+}
+
+impl Fold {
+    /// Adds the value at `time` (SI); `before` holds time and value at the previous row.
+    fn take(&mut self, of: &Aggregate, before: Option<(f64, f64)>, time: f64, value: f64) {
+        if time < of.from {
+            return;
+        }
+        match of.kind {
+            AggregateKind::Maximum => self.value = Some(self.value.map_or(value, |greatest| greatest.max(value))),
+            AggregateKind::Minimum => self.value = Some(self.value.map_or(value, |least| least.min(value))),
+            // Trapezoidal rule; the spacing of the rows may vary.
+            AggregateKind::Mean | AggregateKind::Integral => {
+                let Some((start, first)) = before.filter(|(start, _)| *start >= of.from) else { return };
+                let area = (time - start) * (first + value) / 2.0;
+                self.value = Some(self.value.unwrap_or(0.0) + area);
+                self.duration += time - start;
+            }
+        }
+    }
+
+    fn result(self, of: &Aggregate) -> f64 {
+        match (self.value, of.kind) {
+            (Some(area), AggregateKind::Mean) => area / self.duration,
+            (value, _) => value.unwrap_or(f64::NAN),
+        }
+    }
+}

@@ -8,6 +8,8 @@ use crate::{Announcement, Desk, Refusal};
 use analysis::fit::{Fit, FitError, Varied};
 use document::Document;
 use program::{Model, Parameter};
+use std::cmp::Reverse;
+use units::order::sort_by_key;
 use units::{Words, words};
 
 /// Progress of the fits started by the user.
@@ -74,7 +76,9 @@ impl Desk {
             };
             Job { definition, document, own: false, found: None }
         };
-        let jobs = theories.into_iter().map(job).collect();
+        let mut jobs: Vec<Job> = theories.into_iter().map(job).collect();
+        // Theories with more states take longer: begun last, one of them would leave the other workers idle.
+        sort_by_key(&mut jobs, |job| Reverse(job.document.program.model.states.len()));
         self.start_queue(jobs)
     }
 

@@ -34,11 +34,12 @@ impl Desk {
             && parts.iter().any(|part| self.needs_zero(model, &varied, part.record, &part.uses))
     }
 
-    /// True if the fitted column of a record holds lengths from a film and no varied parameter can absorb the unknown
-    /// zero of the scale.
+    /// True if the fitted column of a record holds lengths from a film, or from the camera of a virtual measurement, and no varied
+    /// parameter can absorb the unknown zero of the scale.
     fn needs_zero(&self, model: &Model, varied: &[usize], record: u32, uses: &[Use]) -> bool {
         let Some(used) = uses.iter().find(|used| used.fitted) else { return false };
-        self.films.of_record(record).is_some()
+        let is_virtual = || self.record(record).is_some_and(|record| record.truth.is_some());
+        (self.films.of_record(record).is_some() || is_virtual())
             && used.meaning.unit.dimension == Dimension::LENGTH
             && observed(model, &used.meaning.quantity)
                 .is_some_and(|quantity| !varied.iter().any(|index| shifts(model, quantity.node, *index as u32)))

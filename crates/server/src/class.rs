@@ -1,11 +1,13 @@
-//! Classes in memory: settings, seats and tokens. The store has the same; a start of the server reads it.
+//! Classes in memory: settings, seats and tokens. The store has the same; a start of the server reads it, and changes of other
+//! servers before the same store are read before each request ([`Classes::catch_up`]).
 
 use crate::codes::{self, Hash};
 use crate::pseudonyms::pseudonym;
-use crate::store::{ClassRow, Fault, SeatRow, Store};
+use crate::store::{ClassRow, Cursor, Fault, NewSeat, News, SeatRow, Store};
 use crate::time::DAY;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::watch;
 use units::Language;
@@ -84,9 +86,10 @@ pub struct Joined {
 #[derive(Debug)]
 pub struct Class {
     row: ClassRow,
-    language: Language,
     state: Mutex<State>,
     settings: watch::Sender<Settings>,
+    /// Order of arrival of the settings.
+    set: Mutex<u64>,
     /// Order of arrival of the latest event.
     latest: watch::Sender<u64>,
 }
@@ -94,8 +97,7 @@ pub struct Class {
 #[derive(Debug, Default)]
 struct State {
     seats: BTreeMap<u32, SeatRow>,
-    last_seat: u32,
-    /// Bytes that each seat has stored.
+    /// Bytes that each seat has stored, as far as this server knows: each server counts what passes through it.
     sizes: BTreeMap<u32, u64>,
 }
 
@@ -138,6 +140,15 @@ impl Class {
         self.settings.borrow().clone()
     }
 
+    /// Takes settings unless there are later ones.
+    fn take_settings(&self, settings: Settings, number: u64) {
+        let mut set = locked(&self.set);
+        if number > *set {
+            *set = number;
+            self.settings.send_replace(settings);
+        }
+    }
+
     /// Follows the settings.
     pub fn follow_settings(&self) -> watch::Receiver<Settings> {
         self.settings.subscribe()
@@ -172,6 +183,14 @@ impl Class {
         *locked(&self.state).sizes.entry(seat).or_default() += bytes;
     }
 
+    /// Holder of a token of this seat; seat 0 is the teacher's.
+    fn holder(self: &Arc<Self>, seat: u32) -> Holder {
+        match seat {
+            0 => Holder::Teacher(self.clone()),
+            seat => Holder::Student(self.clone(), seat),
+        }
+    }
+
     /// Seats in their order.
     pub fn seats(&self) -> Vec<SeatRow> {
         locked(&self.state).seats.values().cloned().collect()
@@ -187,12 +206,16 @@ impl Class {
 #[derive(Debug)]
 pub struct Classes {
     store: Store,
+    /// Language of new pseudonyms.
+    language: Language,
+    /// Place in the changes of other servers, and the number of requests before which they are known.
+    known: tokio::sync::Mutex<(Cursor, u64)>,
+    /// Number of requests.
+    asked: AtomicU64,
     classes: Mutex<Vec<Arc<Class>>>,
     tokens: Mutex<HashMap<Hash, Holder>>,
     /// Keys of seats.
     keys: Mutex<HashMap<Hash, (Arc<Class>, u32)>>,
-    /// Hashes of the one-time links of teachers.
-    links: Mutex<HashMap<Hash, Arc<Class>>>,
 }
 
 impl Classes {
@@ -204,15 +227,110 @@ impl Classes {
         store.erase_expired(now).await?;
         let classes = Self {
             store: store.clone(),
+            language,
+            known: tokio::sync::Mutex::new((store.cursor().await?, 0)),
+            asked: AtomicU64::new(0),
             classes: Mutex::default(),
             tokens: Mutex::default(),
             keys: Mutex::default(),
-            links: Mutex::default(),
         };
         for row in store.classes().await? {
-            classes.read(row, language).await?;
+            classes.read(row).await?;
         }
         Ok(classes)
+    }
+
+    /// Learns what other servers have changed until the call. Of calls at the same time, one asks the store for all.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn catch_up(&self) -> Result<(), Fault> {
+        let place = self.asked.fetch_add(1, Ordering::Relaxed) + 1;
+        let mut known = self.known.lock().await;
+        if known.1 >= place {
+            return Ok(());
+        }
+        // These calls have begun before the store is asked.
+        let asked = self.asked.load(Ordering::Relaxed);
+        let news = self.store.news(known.0).await?;
+        let cursor = news.cursor;
+        self.learn(news).await?;
+        *known = (cursor, asked);
+        Ok(())
+    }
+
+    async fn learn(&self, news: News) -> Result<(), Fault> {
+        let News { classes, erased, seats, tokens, latest, settings, .. } = news;
+        for (class, seat) in erased {
+            match seat {
+                0 => self.forget(|of, _| of.id() == class),
+                seat => self.forget(|of, own| of.id() == class && own == seat),
+            }
+        }
+        for row in classes.into_iter().filter(|row| self.find(&row.class).is_none()) {
+            self.read(row).await?;
+        }
+        for (class, seat) in seats {
+            let Some(class) = self.find(&class) else { continue };
+            locked(&self.keys).insert(seat.key, (class.clone(), seat.seat));
+            let approved = seat.approved;
+            let former = locked(&class.state).seats.insert(seat.seat, seat);
+            if former.is_some_and(|former| former.approved != approved) {
+                // Students who wait follow the settings.
+                class.settings.send_modify(|_| {});
+            }
+            class.tell_of_seats();
+        }
+        for (hash, class, seat) in tokens {
+            let Some(class) = self.find(&class) else { continue };
+            locked(&self.tokens).insert(hash, class.holder(seat));
+        }
+        for class in settings.iter().filter_map(|class| self.find(class)) {
+            let (settings, number) = self.stored_settings(class.id()).await?;
+            class.take_settings(settings, number);
+        }
+        for (class, number) in latest {
+            if let Some(class) = self.find(&class) {
+                class.tell(number);
+            }
+        }
+        Ok(())
+    }
+
+    fn find(&self, class: &str) -> Option<Arc<Class>> {
+        locked(&self.classes).iter().find(|own| own.id() == class).cloned()
+    }
+
+    /// Forgets seats with their tokens and keys. Seat 0 is asked for the class itself.
+    fn forget(&self, is_gone: impl Fn(&Class, u32) -> bool) {
+        locked(&self.tokens).retain(|_, holder| match holder {
+            Holder::Student(class, seat) => !is_gone(class, *seat),
+            Holder::Teacher(class) | Holder::Survey(class) => !is_gone(class, 0),
+        });
+        locked(&self.keys).retain(|_, (class, seat)| !is_gone(class, *seat));
+        locked(&self.classes).retain(|class| {
+            let before = locked(&class.state).seats.len();
+            locked(&class.state).seats.retain(|seat, _| !is_gone(class, *seat));
+            if locked(&class.state).seats.len() < before {
+                class.tell_of_seats();
+            }
+            !is_gone(class, 0)
+        });
+    }
+
+    async fn stored_settings(&self, class: &str) -> Result<(Settings, u64), Fault> {
+        let event = self.store.latest_of_teacher(class.to_owned(), SETTINGS).await?;
+        let number = event.as_ref().map_or(0, |event| event.number);
+        Ok((event.and_then(|event| serde_json::from_str(&event.body).ok()).unwrap_or_default(), number))
+    }
+
+    /// Work beside the requests: learns at once what other servers change, for those who follow.
+    pub async fn follow(&self) {
+        loop {
+            self.store.changed().await;
+            // The next request or change tries again.
+            let _ = self.catch_up().await;
+        }
     }
 
     /// The store.
@@ -229,7 +347,7 @@ impl Classes {
     ///
     /// # Errors
     /// The store cannot be written.
-    pub async fn begin(&self, title: &str, days: u32, language: Language, now: u64) -> Result<Arc<Class>, Fault> {
+    pub async fn begin(&self, title: &str, days: u32, now: u64) -> Result<Arc<Class>, Fault> {
         let [id, code] = [codes::code(12), codes::code(codes::CLASS_CODE)].map(|code| code.ok_or(Fault::Ending));
         let row = ClassRow {
             class: id?,
@@ -240,14 +358,13 @@ impl Classes {
             expires: now + u64::from(days) * DAY,
         };
         self.store.add_class(row.clone()).await?;
-        self.read(row, language).await
+        self.read(row).await
     }
 
-    async fn read(&self, row: ClassRow, language: Language) -> Result<Arc<Class>, Fault> {
+    /// Reads a class into memory, unless another task has done so meanwhile.
+    async fn read(&self, row: ClassRow) -> Result<Arc<Class>, Fault> {
         let id = row.class.clone();
-        let settings = self.store.latest_of_teacher(id.clone(), SETTINGS).await?;
-        let settings = settings.and_then(|event| serde_json::from_str(&event.body).ok()).unwrap_or_default();
-        let last_seat = self.store.last_seat(id.clone()).await?;
+        let (settings, set) = self.stored_settings(&id).await?;
         let seats = self.store.seats(id.clone()).await?;
         let sizes = self.store.sizes(id.clone()).await?.into_iter().collect();
         let survey = codes::hash(&row.survey);
@@ -255,28 +372,31 @@ impl Classes {
         let seats = seats.into_iter().map(|seat| (seat.seat, seat)).collect();
         let class = Arc::new(Class {
             row,
-            language,
-            state: Mutex::new(State { seats, last_seat, sizes }),
+            state: Mutex::new(State { seats, sizes }),
             settings: watch::channel(settings).0,
+            set: Mutex::new(set),
             latest: watch::channel(self.store.last_number().await?).0,
         });
+        let stored = self.store.tokens(id).await?;
+        let mut classes = locked(&self.classes);
+        if let Some(known) = classes.iter().find(|known| ***known == *class) {
+            return Ok(known.clone());
+        }
         locked(&self.keys).extend(keys.into_iter().map(|(key, seat)| (key, (class.clone(), seat))));
         locked(&self.tokens).insert(survey, Holder::Survey(class.clone()));
-        let stored = self.store.tokens(id).await?;
-        let holder = |seat| match seat {
-            0 => Holder::Teacher(class.clone()),
-            seat => Holder::Student(class.clone(), seat),
-        };
-        locked(&self.tokens).extend(stored.into_iter().map(|(hash, seat)| (hash, holder(seat))));
-        let mut classes = locked(&self.classes);
+        locked(&self.tokens).extend(stored.into_iter().map(|(hash, seat)| (hash, class.holder(seat))));
         classes.push(class.clone());
         classes.sort_by_key(|class| std::cmp::Reverse(class.row.created));
         Ok(class)
     }
 
     /// Holder of a token.
-    pub fn holder(&self, token: &str) -> Option<Holder> {
-        locked(&self.tokens).get(&codes::hash(token)).cloned()
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn holder(&self, token: &str) -> Result<Option<Holder>, Fault> {
+        self.catch_up().await?;
+        Ok(locked(&self.tokens).get(&codes::hash(token)).cloned())
     }
 
     /// Joins with the code of a class, or with the key of a seat. `None` if the code is wrong.
@@ -284,6 +404,7 @@ impl Classes {
     /// # Errors
     /// The store cannot be written, or the class is full.
     pub async fn join(&self, typed: &str) -> Result<Option<Joined>, Fault> {
+        self.catch_up().await?;
         let code = codes::normal(typed);
         let token = codes::token().ok_or(Fault::Ending)?;
         let hash = codes::hash(&token);
@@ -297,8 +418,8 @@ impl Classes {
             }
             (None, Some(class)) => {
                 let key = codes::code(codes::SEAT_KEY).ok_or(Fault::Ending)?;
-                let seat = self.new_seat(&class, codes::hash(&key))?;
-                self.store.add_seat(class.id().to_owned(), seat.clone(), hash).await?;
+                let seat = self.new_seat(&class, codes::hash(&key));
+                let seat = self.store.add_seat(class.id().to_owned(), seat, hash, MOST_SEATS).await?;
                 locked(&class.state).seats.insert(seat.seat, seat.clone());
                 locked(&self.keys).insert(seat.key, (class.clone(), seat.seat));
                 (class, seat, key)
@@ -312,22 +433,19 @@ impl Classes {
         Ok(Some(Joined { token, seat, pseudonym, key, survey, approved }))
     }
 
-    fn new_seat(&self, class: &Class, key: Hash) -> Result<SeatRow, Fault> {
-        let approved = !class.settings().approve;
-        let mut state = locked(&class.state);
-        if state.last_seat >= MOST_SEATS {
-            return Err(Fault::SeatFull);
-        }
-        state.last_seat += 1;
-        let seat = state.last_seat;
-        Ok(SeatRow { seat, pseudonym: pseudonym(seat, key[0], class.language), key, approved })
+    fn new_seat(&self, class: &Class, key: Hash) -> NewSeat {
+        let pseudonym = pseudonym(NewSeat::NUMBER, key[0], self.language);
+        NewSeat { pseudonym, key, approved: !class.settings().approve }
     }
 
     /// A one-time link for the teacher: the secret part.
-    pub fn link(&self, class: &Arc<Class>) -> Option<String> {
-        let link = codes::token()?;
-        locked(&self.links).insert(codes::hash(&link), class.clone());
-        Some(link)
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn link(&self, class: &Class) -> Result<String, Fault> {
+        let link = codes::token().ok_or(Fault::Ending)?;
+        self.store.add_link(class.id().to_owned(), codes::hash(&link)).await?;
+        Ok(link)
     }
 
     /// Exchanges a one-time link for a token of the teacher. `None` if it was used, or never existed.
@@ -335,14 +453,12 @@ impl Classes {
     /// # Errors
     /// The store cannot be written; the link can be used again then.
     pub async fn exchange(&self, link: &str) -> Result<Option<String>, Fault> {
-        let hash = codes::hash(link);
-        let Some(class) = locked(&self.links).remove(&hash) else { return Ok(None) };
         let token = codes::token().ok_or(Fault::Ending)?;
-        if let Err(fault) = self.store.add_token(class.id().to_owned(), 0, codes::hash(&token)).await {
-            locked(&self.links).insert(hash, class);
-            return Err(fault);
-        }
-        locked(&self.tokens).insert(codes::hash(&token), Holder::Teacher(class));
+        let hash = codes::hash(&token);
+        let Some(class) = self.store.exchange(codes::hash(link), hash).await? else { return Ok(None) };
+        self.catch_up().await?;
+        let Some(class) = self.find(&class) else { return Ok(None) };
+        locked(&self.tokens).insert(hash, Holder::Teacher(class));
         Ok(Some(token))
     }
 
@@ -353,7 +469,7 @@ impl Classes {
     pub async fn set(&self, class: &Class, settings: Settings, now: u64) -> Result<(), Fault> {
         let body = serde_json::to_string(&settings).unwrap_or_default();
         let number = self.store.append_of_teacher(class.id().to_owned(), now, SETTINGS, body).await?;
-        class.settings.send_replace(settings);
+        class.take_settings(settings, number);
         class.tell(number);
         Ok(())
     }
@@ -383,11 +499,7 @@ impl Classes {
     pub async fn erase(&self, class: &Class, seat: u32) -> Result<(), Fault> {
         // From here on the store takes nothing of this seat. Its tokens stay until it is erased, so that one can try again.
         self.store.erase_seat(class.id().to_owned(), seat).await?;
-        locked(&self.tokens)
-            .retain(|_, holder| !matches!(holder, Holder::Student(of, own) if **of == *class && *own == seat));
-        locked(&self.keys).retain(|_, (of, own)| !(**of == *class && *own == seat));
-        locked(&class.state).seats.remove(&seat);
-        class.tell_of_seats();
+        self.forget(|of, own| *of == *class && own == seat);
         Ok(())
     }
 
@@ -397,12 +509,7 @@ impl Classes {
     /// The store cannot be written.
     pub async fn erase_expired(&self, now: u64) -> Result<(), Fault> {
         let over = self.store.erase_expired(now).await?;
-        let is_over = |class: &Class| over.iter().any(|id| id == class.id());
-        locked(&self.classes).retain(|class| !is_over(class));
-        locked(&self.keys).retain(|_, (class, _)| !is_over(class));
-        locked(&self.tokens).retain(|_, holder| match holder {
-            Holder::Teacher(class) | Holder::Student(class, _) | Holder::Survey(class) => !is_over(class),
-        });
+        self.forget(|class, _| over.iter().any(|id| id == class.id()));
         Ok(())
     }
 }

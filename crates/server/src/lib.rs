@@ -2,7 +2,7 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`store`] | the log of events in one file: group commit, erasing, backups |
+//! | [`store`] | the log of events in a file or a database: group commit, erasing, backups |
 //! | [`class`] | classes, seats and their tokens in memory |
 //! | [`fold`] | hand-ins as a fold over the events of a seat |
 //! | [`http`] | routes for students and teacher, guards and limits |

@@ -34,7 +34,7 @@ const ANIMALS: [Words; 16] = [
 ];
 
 /// Pseudonym of a seat. `chance`: a random number.
-pub fn pseudonym(seat: u32, chance: u8, language: Language) -> String {
+pub fn pseudonym(seat: &str, chance: u8, language: Language) -> String {
     let [colour, animal] = [&COLOURS[usize::from(chance & 7)], &ANIMALS[usize::from(chance >> 4)]];
     say!(language, "{colour} {animal} {seat}")
 }

@@ -1,6 +1,6 @@
 //! `meniscus class serve`, `backup`, `restore`, `erase`, `export`: the class server on this computer.
 
-use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, Restore, ServeClass};
+use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, Restore, ServeClass, StorePlace};
 use crate::failure::Failure;
 use crate::load::{self, Loaded};
 use crate::page;
@@ -9,13 +9,12 @@ use document::page::POLICY;
 use server::class::{Class, Classes};
 use server::http::{Place, Server};
 use server::pages::{Document, Pages};
-use server::store::{back_up, restore};
+use server::store::{Location, back_up, restore};
 use server::{Fault, Store, export, listen, now, qr};
 use std::future::Future;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::Path;
-use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::time::interval;
@@ -35,14 +34,22 @@ const LOOK: Duration = Duration::from_secs(3600);
 pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
     match command {
         ClassServer::Serve(arguments) => serve(arguments, terminal),
-        ClassServer::Backup(Backup { file, output }) => {
-            back_up(&file.store, output).map_err(|fault| about(&file.store, &fault))
-        }
-        ClassServer::Restore(Restore { backup, file }) => {
-            let events = restore(backup, &file.store, now()).map_err(|fault| about(backup, &fault))?;
+        ClassServer::Backup(Backup { place, output }) => blocking(async {
+            let location = location(place)?;
+            back_up(&location, output).await.map_err(|fault| match fault {
+                Fault::Exists => Failure::about(output, &fault.words()),
+                fault => about(&location, &fault),
+            })
+        }),
+        ClassServer::Restore(Restore { backup, place }) => blocking(async {
+            let location = location(place)?;
+            let events = restore(backup, &location, now()).await.map_err(|fault| match fault {
+                Fault::Away(_) => about(&location, &fault),
+                fault => Failure::about(backup, &fault.words()),
+            })?;
             terminal.print(&format!("{}: {events}\n", terminal.language.say("parts restored")));
             Ok(())
-        }
+        }),
         ClassServer::Erase(arguments) => blocking(erase(arguments)),
         ClassServer::Export(arguments) => blocking(write_files(arguments, terminal)),
     }
@@ -53,48 +60,46 @@ fn blocking(work: impl Future<Output = Result<(), Failure>>) -> Result<(), Failu
     runtime.map_err(|error| network(&error))?.block_on(work)
 }
 
-fn about(path: &Path, fault: &Fault) -> Failure {
-    Failure::about(path, &fault.words())
+/// Where the store is. The variable of the environment is that of Postgres's own programs: arguments can be read by other users.
+fn location(place: &StorePlace) -> Result<Location, Failure> {
+    let password = std::env::var("PGPASSWORD").ok();
+    Location::read(&place.store, password.as_deref())
+        .map_err(|fault| Failure::about(Path::new("--store"), &fault.words()))
+}
+
+fn about(location: &Location, fault: &Fault) -> Failure {
+    Failure::about(Path::new(&location.to_string()), &fault.words())
 }
 
 fn network(error: &io::Error) -> Failure {
     Failure::in_words(words!("cannot serve: {}", error), words("choose another port with `--port`"))
 }
 
-/// A store that must exist.
-fn existing(path: &Path) -> Result<Store, Failure> {
-    if !path.exists() {
-        let why = words("does not exist; `--store` names the file");
-        return Err(Failure::about(path, &why));
-    }
-    Store::open(path).map_err(|fault| about(path, &fault))
-}
-
 async fn erase(arguments: &Erase) -> Result<(), Failure> {
-    let path = &arguments.file.store;
-    let store = existing(path)?;
-    let fails = |fault| about(path, &fault);
+    let location = location(&arguments.place)?;
+    let fails = |fault| about(&location, &fault);
+    let store = Store::existing(&location).await.map_err(fails)?;
     let classes = store.classes().await.map_err(fails)?;
     match arguments.seat {
         Some(seat) => {
-            let class = classes.first().ok_or_else(|| about(path, &Fault::Missing))?;
-            store.erase_seat(class.class.clone(), seat).await.map_err(fails)
+            let class = classes.first().ok_or_else(|| fails(Fault::Missing))?;
+            store.erase_seat(class.class.clone(), seat).await.map_err(fails)?;
         }
         None => {
             for class in classes {
                 store.erase_class(class.class).await.map_err(fails)?;
             }
-            Ok(())
         }
     }
+    store.rewrite().await.map_err(fails)
 }
 
 async fn write_files(arguments: &ExportClass, terminal: Terminal) -> Result<(), Failure> {
-    let path = &arguments.file.store;
-    let store = existing(path)?;
-    let fails = |fault| about(path, &fault);
+    let location = location(&arguments.place)?;
+    let fails = |fault| about(&location, &fault);
+    let store = Store::existing(&location).await.map_err(fails)?;
     let classes = store.classes().await.map_err(fails)?;
-    let class = classes.first().ok_or_else(|| about(path, &Fault::Missing))?;
+    let class = classes.first().ok_or_else(|| fails(Fault::Missing))?;
     let files = export::files(&store, &class.class).await.map_err(fails)?;
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|error| Failure::file("write", folder, &error))?;
@@ -110,20 +115,21 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
     let documents = documents(arguments, terminal)?;
     let title = documents.first().map_or_else(String::new, |document| document.title.clone());
     let pages = Pages::new(documents, page::own()?, POLICY, terminal.language);
-    let path = &arguments.file.store;
+    let location = location(&arguments.place)?;
     blocking(async {
-        let store = Store::open(path).map_err(|fault| about(path, &fault))?;
-        let fails = |fault| about(path, &fault);
+        let fails = |fault| about(&location, &fault);
+        let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
         let class = match classes.latest().filter(|_| !arguments.new) {
             Some(class) => class,
-            None => classes.begin(&title, arguments.keep, terminal.language, now()).await.map_err(fails)?,
+            None => classes.begin(&title, arguments.keep, now()).await.map_err(fails)?,
         };
         let listener = listener(arguments.port).await.map_err(|error| network(&error))?;
         let port = listener.local_addr().map_err(|error| network(&error))?.port();
         let (place, tls) = place(arguments, port)?;
-        let server = Server::new(classes, pages, place.clone());
-        announce(&server, &class, &place, port, terminal)?;
+        let server = Server::new(classes, pages, place);
+        let link = server.classes().link(&class).await.map_err(fails)?;
+        announce(&server, &class, &link, port, terminal);
         let look = async {
             let mut looks = interval(LOOK);
             loop {
@@ -135,6 +141,7 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         tokio::select! {
             () = listen::serve(listener, server.routes(), tls) => Ok(()),
             () = look => Ok(()),
+            () = server.classes().follow() => Ok(()),
             interrupted = tokio::signal::ctrl_c() => interrupted.map_err(|error| network(&error)),
         }
     })
@@ -222,11 +229,9 @@ fn own_address() -> Ipv4Addr {
     }
 }
 
-/// Prints how students and the teacher get in.
-fn announce(server: &Server, class: &Arc<Class>, place: &Place, port: u16, terminal: Terminal) -> Result<(), Failure> {
-    let Some(link) = server.classes().link(class) else {
-        return Err(network(&io::Error::other("getrandom")));
-    };
+/// Prints how students and the teacher get in. `link`: the secret part of the teacher's link.
+fn announce(server: &Server, class: &Class, link: &str, port: u16, terminal: Terminal) {
+    let place = server.place();
     let base = if place.is_encrypted { place.address.clone() } else { format!("http://127.0.0.1:{port}") };
     let language = terminal.language;
     let (students, code) = (language.say("Students"), language.say("code"));
@@ -237,7 +242,6 @@ fn announce(server: &Server, class: &Arc<Class>, place: &Place, port: u16, termi
         qr::terminal(&place.join_address(class.code())),
         place.address,
         class.code(),
-        server.classes().store().path().display(),
+        server.classes().store().location(),
     ));
-    Ok(())
 }

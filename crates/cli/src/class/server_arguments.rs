@@ -27,16 +27,17 @@ Examples:
   meniscus class serve tube.md                     a class in the local network
   meniscus class serve tube.md --lab --keep 7      with records, films and fits; erased after 7 days
   meniscus class serve tube.md --public https://class.example --tls behind-proxy --port 8080
+  meniscus class serve tube.md --store postgres://meniscus@db.example/class   one of several servers of a class
 
 The screen shows the address and the code for students, and a link for the teacher, which works once. A second start with the same store
 goes on with the class; --new begins another one. Without --tls the dashboard answers to this computer only.";
 
-/// The file of a store.
+/// Where a store is.
 #[derive(Debug, Args)]
-pub struct StoreFile {
-    /// File with the classes
-    #[arg(long, value_name = "FILE", default_value = STORE)]
-    pub store: PathBuf,
+pub struct StorePlace {
+    /// File with the classes, or a Postgres database: postgres://USER@HOST/DATABASE, with the password in PGPASSWORD
+    #[arg(long, value_name = "FILE|postgres://..", default_value = STORE)]
+    pub store: String,
 }
 
 /// `meniscus class serve`
@@ -55,7 +56,7 @@ pub struct ServeClass {
     pub port: Option<u16>,
 
     #[command(flatten)]
-    pub file: StoreFile,
+    pub place: StorePlace,
 
     /// Days after which a new class is erased
     #[arg(long, value_name = "DAYS", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=3650))]
@@ -78,7 +79,7 @@ pub struct ServeClass {
 #[derive(Debug, Args)]
 pub struct Backup {
     #[command(flatten)]
-    pub file: StoreFile,
+    pub place: StorePlace,
 
     /// The new file
     #[arg(long, short, value_name = "FILE")]
@@ -93,14 +94,14 @@ pub struct Restore {
     pub backup: PathBuf,
 
     #[command(flatten)]
-    pub file: StoreFile,
+    pub place: StorePlace,
 }
 
 /// `meniscus class erase`
 #[derive(Debug, Args)]
 pub struct Erase {
     #[command(flatten)]
-    pub file: StoreFile,
+    pub place: StorePlace,
 
     /// Seat of the latest class to erase
     #[arg(long, value_name = "N", required_unless_present = "all", conflicts_with = "all")]
@@ -115,7 +116,7 @@ pub struct Erase {
 #[derive(Debug, Args)]
 pub struct ExportClass {
     #[command(flatten)]
-    pub file: StoreFile,
+    pub place: StorePlace,
 
     /// Folder for the files, which is made if there is none
     #[arg(long, short, value_name = "FOLDER")]

@@ -13,9 +13,9 @@ use units::Language;
 fn store(path: &Path, typed: &[&str]) {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     runtime.block_on(async {
-        let store = Store::open(path).unwrap();
+        let store = Store::open(&path.into()).await.unwrap();
         let classes = Classes::open(store.clone(), Language::English, now()).await.unwrap();
-        let class = classes.begin("Tubes", 30, Language::English, now()).await.unwrap();
+        let class = classes.begin("Tubes", 30, now()).await.unwrap();
         for typed in typed {
             let seat = classes.join(class.code()).await.unwrap().unwrap().seat;
             let parts = [

@@ -4,7 +4,7 @@ use super::state::Server;
 use crate::store::Fault;
 use axum::body::{Body, to_bytes};
 use axum::extract::Request;
-use axum::http::{StatusCode, header};
+use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -17,6 +17,9 @@ pub const LARGEST: usize = 8 << 20;
 
 /// Maximum time in which a body must arrive.
 const ARRIVES: Duration = Duration::from_secs(60);
+
+/// Time after which a request to a store that does not answer is sent again, in seconds.
+const RETRY_AFTER: HeaderValue = HeaderValue::from_static("2");
 
 /// A value as JSON.
 pub fn json(value: impl Serialize) -> Response {
@@ -40,7 +43,11 @@ pub fn refuse(status: StatusCode, why: &'static str) -> Refusal {
 
 impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
-        (self.status, json(json!({ "why": self.why, "highest": self.highest }))).into_response()
+        let mut response = (self.status, json(json!({ "why": self.why, "highest": self.highest }))).into_response();
+        if self.status == StatusCode::SERVICE_UNAVAILABLE {
+            response.headers_mut().insert(header::RETRY_AFTER, RETRY_AFTER);
+        }
+        response
     }
 }
 
@@ -50,7 +57,12 @@ impl From<Fault> for Refusal {
             Fault::Taken(highest) => Self { highest: Some(highest), ..refuse(StatusCode::CONFLICT, "taken") },
             Fault::SeatFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "full"),
             Fault::Missing => refuse(StatusCode::NOT_FOUND, "missing"),
+            Fault::Away(_) => refuse(StatusCode::SERVICE_UNAVAILABLE, "store"),
             Fault::Unwritable(_) | Fault::NoStore(_) => refuse(StatusCode::INSUFFICIENT_STORAGE, "store"),
+            // Faults of the command line.
+            Fault::NoFile | Fault::Exists | Fault::Address | Fault::Unencrypted => {
+                refuse(StatusCode::INTERNAL_SERVER_ERROR, "store")
+            }
             Fault::Ending => refuse(StatusCode::SERVICE_UNAVAILABLE, "ending"),
         }
     }

@@ -17,9 +17,13 @@ pub struct Student(pub Arc<Class>, pub u32);
 /// Any student of a class, without a seat.
 pub struct Someone(pub Arc<Class>);
 
-fn holder(parts: &Parts, server: &Server) -> Result<Holder, Refusal> {
+async fn holder(parts: &Parts, server: &Server) -> Result<Holder, Refusal> {
     let token = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok()?.strip_prefix("Bearer "));
-    token.and_then(|token| server.classes.holder(token)).ok_or_else(|| refuse(StatusCode::UNAUTHORIZED, "token"))
+    let holder = match token {
+        Some(token) => server.classes.holder(token).await?,
+        None => None,
+    };
+    holder.ok_or_else(|| refuse(StatusCode::UNAUTHORIZED, "token"))
 }
 
 fn other() -> Refusal {
@@ -30,7 +34,7 @@ impl FromRequestParts<Arc<Server>> for Teacher {
     type Rejection = Refusal;
 
     async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
-        match holder(parts, server)? {
+        match holder(parts, server).await? {
             Holder::Teacher(class) => Ok(Self(class)),
             _ => Err(other()),
         }
@@ -41,7 +45,7 @@ impl FromRequestParts<Arc<Server>> for Student {
     type Rejection = Refusal;
 
     async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
-        match holder(parts, server)? {
+        match holder(parts, server).await? {
             Holder::Student(class, seat) => Ok(Self(class, seat)),
             _ => Err(other()),
         }
@@ -52,7 +56,7 @@ impl FromRequestParts<Arc<Server>> for Someone {
     type Rejection = Refusal;
 
     async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
-        match holder(parts, server)? {
+        match holder(parts, server).await? {
             Holder::Survey(class) => Ok(Self(class)),
             _ => Err(other()),
         }

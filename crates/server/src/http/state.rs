@@ -53,6 +53,11 @@ impl Server {
         Arc::new(Self { classes, pages, place, gate, bodies: Semaphore::new(BODIES), tallies })
     }
 
+    /// Where and how the server is reached.
+    pub fn place(&self) -> &Place {
+        &self.place
+    }
+
     /// The classes.
     pub fn classes(&self) -> &Classes {
         &self.classes

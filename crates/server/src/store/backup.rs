@@ -1,74 +1,66 @@
-//! Backups. A backup is a store like any other and carries the times at which its classes end.
+//! Backups: SQLite files, whatever the store is. They carry the times at which their classes end.
 
-use super::erase::erase_class;
 use super::fault::Fault;
-use super::{connection, schema};
-use rusqlite::{Connection, params};
+use super::location::Location;
+use super::{postgres, sqlite};
 use std::path::Path;
 
-/// Writes all classes of a store, also of one that a server uses at the moment, into a new file.
+/// Columns of an event in a backup; the order of arrival is given anew.
+const EVENT: &str = "class, seat, seq, at, kind, body";
+
+/// Writes all classes of a store, also of one that servers use at the moment, into a new file.
 ///
 /// # Errors
-/// `from` is no store, or `to` exists or cannot be written.
-pub fn back_up(from: &Path, to: &Path) -> Result<(), Fault> {
-    let store = existing(from)?;
+/// There is no store at `from`, or `to` exists or cannot be written.
+pub async fn back_up(from: &Location, to: &Path) -> Result<(), Fault> {
     if to.exists() {
-        return Err(Fault::Unwritable(std::io::Error::from(std::io::ErrorKind::AlreadyExists).to_string()));
+        return Err(Fault::Exists);
     }
-    let name = to.to_str().ok_or(Fault::Missing)?;
-    store.execute("VACUUM INTO ?", [name])?;
-    Ok(())
+    match from {
+        Location::File(path) => sqlite::backup::back_up(path, to),
+        Location::Database(config) => postgres::backup::back_up(config, to).await,
+    }
 }
 
 /// Takes classes from a backup into a store, which is made if there is none. What the store has already stays. Classes whose time
 /// is over and erased seats are left out. Returns the number of events that came back.
 ///
 /// # Errors
-/// `from` is no store, or `into` cannot be written.
-pub fn restore(from: &Path, into: &Path, now: u64) -> Result<usize, Fault> {
-    drop(existing(from)?);
-    let store = connection(into)?;
-    schema::prepare(&store)?;
-    store.execute("ATTACH ? AS backup", [from.to_str().ok_or(Fault::Missing)?])?;
-    let transaction = store.unchecked_transaction()?;
-    transaction.execute("INSERT OR IGNORE INTO erased SELECT * FROM backup.erased", [])?;
-    let now = i64::try_from(now).unwrap_or(i64::MAX);
+/// There is no backup at `from`, or `into` cannot be written.
+pub async fn restore(from: &Path, into: &Location, now: u64) -> Result<u64, Fault> {
+    match into {
+        Location::File(path) => sqlite::backup::restore(from, path, now),
+        Location::Database(config) => postgres::backup::restore(from, config, now).await,
+    }
+}
+
+/// Statement that takes the numbers of erased seats from the tables of one schema to those of another one.
+pub fn taking_erased(backup: &str, store: &str) -> String {
+    format!("INSERT INTO {store}.erased SELECT * FROM {backup}.erased WHERE true ON CONFLICT DO NOTHING")
+}
+
+/// Statements that take everything else, the events last. Their parameter is the present time. Both databases understand them.
+pub fn taking(backup: &str, store: &str) -> [String; 5] {
+    let erased = format!("(SELECT class, seat FROM {store}.erased)");
     // An erased class is seat 0 of it.
-    let kept = "class IN (SELECT class FROM backup.class WHERE expires>?) AND (class, 0) NOT IN (SELECT class, seat FROM erased)";
-    let seats = "(class, seat) NOT IN (SELECT class, seat FROM erased)";
-    transaction
-        .execute(&format!("INSERT OR IGNORE INTO class SELECT * FROM backup.class WHERE {kept}"), params![now])?;
-    transaction
-        .execute(&format!("INSERT OR IGNORE INTO sheet SELECT * FROM backup.sheet WHERE {kept}"), params![now])?;
-    for table in ["seat", "token"] {
-        let copy = format!("INSERT OR IGNORE INTO {table} SELECT * FROM backup.{table} WHERE {kept} AND {seats}");
-        transaction.execute(&copy, params![now])?;
-    }
-    let columns = "class, seat, seq, at, kind, body";
-    let copy = format!(
-        "INSERT OR IGNORE INTO event({columns}) SELECT {columns} FROM backup.event WHERE {kept} AND {seats} ORDER BY number"
-    );
-    let events = transaction.execute(&copy, params![now])?;
-    for class in over(&transaction, now)? {
-        erase_class(&transaction, &class)?;
-    }
-    transaction.commit()?;
-    store.execute_batch("DETACH backup")?;
-    Ok(events)
+    let kept = format!("class IN (SELECT class FROM {backup}.class WHERE expires>$1) AND (class, 0) NOT IN {erased}");
+    let take = |into: &str, columns: &str, rest: &str| {
+        let table = into.split('(').next().unwrap_or_default();
+        format!(
+            "INSERT INTO {store}.{into} SELECT {columns} FROM {backup}.{table} WHERE {kept} {rest} ON CONFLICT DO NOTHING"
+        )
+    };
+    let seats = format!("AND (class, seat) NOT IN {erased}");
+    [
+        take("class", "*", ""),
+        take("sheet", "*", ""),
+        take("seat", "*", &seats),
+        take("token", "*", &seats),
+        take(&format!("event({EVENT})"), EVENT, &format!("{seats} ORDER BY number")),
+    ]
 }
 
-/// Classes of a store whose time is over.
-fn over(store: &Connection, now: i64) -> Result<Vec<String>, Fault> {
-    let mut query = store.prepare("SELECT class FROM main.class WHERE expires<=?")?;
-    let rows = query.query_map([now], |row| row.get(0))?;
-    Ok(rows.collect::<Result<_, _>>()?)
-}
-
-fn existing(path: &Path) -> Result<Connection, Fault> {
-    if !path.exists() {
-        return Err(Fault::NoStore(std::io::Error::from(std::io::ErrorKind::NotFound).to_string()));
-    }
-    let store = connection(path)?;
-    schema::prepare(&store)?;
-    Ok(store)
+/// Query for the classes of a schema whose time is over. Its parameter is the present time.
+pub fn over(store: &str) -> String {
+    format!("SELECT class FROM {store}.class WHERE expires<=$1")
 }

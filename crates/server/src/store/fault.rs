@@ -4,10 +4,20 @@ use std::fmt;
 use units::{Words, words};
 
 /// Reason why the store did not do what was asked.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Fault {
     /// The disk is full, or cannot be written for another reason. Nothing was stored.
     Unwritable(String),
+    /// The database does not answer. Something may have been stored; sending it again adds nothing.
+    Away(String),
+    /// There is no such file.
+    NoFile,
+    /// The file exists already.
+    Exists,
+    /// The address of a database cannot be read.
+    Address,
+    /// The address of a database asks for encryption.
+    Unencrypted,
     /// The file is no store, or one of a later version.
     NoStore(String),
     /// Another event has this number already. Holds the highest number of the seat.
@@ -25,6 +35,11 @@ impl Fault {
     pub fn words(&self) -> Words {
         match self {
             Self::Unwritable(why) => words!("cannot be written: {}", why),
+            Self::Away(why) => words!("cannot be reached: {}", why),
+            Self::NoFile => words("does not exist; `--store` names the file"),
+            Self::Exists => words("exists already"),
+            Self::Address => words("is no address of a database; for example `--store postgres://USER@HOST/DATABASE`"),
+            Self::Unencrypted => words("asks for an encrypted connection, which this program does not have"),
             Self::NoStore(why) => words!("is no store of classes: {}", why),
             Self::Taken(_) => words("has another event of this number"),
             Self::SeatFull => words("has no more room for this seat"),
@@ -41,15 +56,3 @@ impl fmt::Display for Fault {
 }
 
 impl std::error::Error for Fault {}
-
-impl From<rusqlite::Error> for Fault {
-    fn from(error: rusqlite::Error) -> Self {
-        match error {
-            rusqlite::Error::QueryReturnedNoRows => Self::Missing,
-            rusqlite::Error::SqliteFailure(failure, _) if failure.code == rusqlite::ErrorCode::NotADatabase => {
-                Self::NoStore(failure.to_string())
-            }
-            error => Self::Unwritable(error.to_string()),
-        }
-    }
-}

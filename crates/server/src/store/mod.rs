@@ -1,141 +1,314 @@
-//! The log of events of all classes, in one SQLite file.
+//! The log of events of all classes: in one SQLite file, or in a Postgres database that several servers share.
 //!
-//! One thread writes. It takes up to 256 waiting changes into one transaction and answers each when the transaction is on
-//! disk (`synchronous=FULL`). Readers have connections of their own, which the write-ahead log lets work meanwhile.
+//! | module | content |
+//! |---|---|
+//! | [`location`] | where a store is: a file or a database |
+//! | [`rows`] | what is stored, for both stores |
+//! | [`sqlite`] | the file: one thread writes |
+//! | [`postgres`] | the database: one task of each server writes, and servers tell each other of changes |
+//! | [`backup`] | backups, which are SQLite files whatever the store is |
+//!
+//! Both take up to 256 waiting changes into one transaction and answer each when the transaction is on disk. Their tables are the
+//! same (`sqlite/schema.rs`, `postgres/schema.rs`).
 
 mod backup;
-mod erase;
 mod fault;
+mod location;
+mod postgres;
 mod rows;
-mod schema;
-mod writer;
+mod sqlite;
 
 pub use backup::{back_up, restore};
 pub use fault::Fault;
-pub use rows::{ClassRow, EventRow, NewEvent, Outcome, SeatRow};
+pub use location::Location;
+pub use rows::{ClassRow, Cursor, EventRow, NewEvent, NewSeat, News, Outcome, SeatRow};
+pub use sqlite::files_beside;
 
-use rusqlite::{Connection, OpenFlags};
-use std::fmt;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
-use std::time::Duration;
-use tokio::sync::{mpsc, oneshot};
-use writer::{Job, Task};
+use crate::codes::Hash;
+use postgres::Postgres;
+use sqlite::Sqlite;
 
 /// Number of changes that wait at most; further ones wait before they are queued.
 const QUEUE: usize = 4096;
 
-/// Time for which a connection waits for another process.
-const BUSY: Duration = Duration::from_secs(5);
+/// Maximum number of changes in one transaction.
+const GROUP: usize = 256;
 
-/// A store; cheap to clone. The writing thread ends when the last clone is dropped.
-#[derive(Clone)]
+/// A store; cheap to clone.
+#[derive(Clone, Debug)]
 pub struct Store {
-    path: Arc<Path>,
-    jobs: mpsc::Sender<Job>,
-    readers: Arc<Mutex<Vec<Connection>>>,
+    location: Location,
+    kind: Kind,
 }
 
-impl fmt::Debug for Store {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("Store").field("path", &self.path).finish_non_exhaustive()
-    }
+#[derive(Clone, Debug)]
+enum Kind {
+    Sqlite(Sqlite),
+    Postgres(Postgres),
+}
+
+/// Calls a method of the store that there is.
+macro_rules! of {
+    ($store:expr, $method:ident($($argument:expr),*)) => {
+        match &$store.kind {
+            Kind::Sqlite(store) => store.$method($($argument),*).await,
+            Kind::Postgres(store) => store.$method($($argument),*).await,
+        }
+    };
 }
 
 impl Store {
-    /// Opens the file, or makes it.
+    /// Opens a store, or makes it.
     ///
     /// # Errors
-    /// The file cannot be written, or is no store.
-    pub fn open(path: &Path) -> Result<Self, Fault> {
-        let connection = connection(path)?;
-        schema::prepare(&connection)?;
-        let (jobs, waiting) = mpsc::channel(QUEUE);
-        std::thread::Builder::new()
-            .name("store".to_owned())
-            .spawn(move || writer::write(connection, waiting))
-            .map_err(|error| Fault::Unwritable(error.to_string()))?;
-        Ok(Self { path: path.into(), jobs, readers: Arc::default() })
+    /// The store cannot be written, or there is something else.
+    pub async fn open(location: &Location) -> Result<Self, Fault> {
+        let kind = match location {
+            Location::File(path) => Kind::Sqlite(Sqlite::open(path)?),
+            Location::Database(config) => Kind::Postgres(Postgres::open(config, true).await?),
+        };
+        Ok(Self { location: location.clone(), kind })
     }
 
-    /// File of the store.
-    pub fn path(&self) -> &Path {
-        &self.path
+    /// Opens a store that exists.
+    ///
+    /// # Errors
+    /// There is no store, or it cannot be written.
+    pub async fn existing(location: &Location) -> Result<Self, Fault> {
+        match location {
+            Location::File(path) if !path.exists() => Err(Fault::NoFile),
+            Location::File(_) => Self::open(location).await,
+            Location::Database(config) => {
+                let kind = Kind::Postgres(Postgres::open(config, false).await?);
+                Ok(Self { location: location.clone(), kind })
+            }
+        }
     }
 
-    /// Makes a change together with others that wait, and returns when it is on disk. A change that fails leaves nothing
-    /// behind.
-    async fn change<T: Send + 'static>(
+    /// Where the store is.
+    pub fn location(&self) -> &Location {
+        &self.location
+    }
+
+    /// Stores a new class.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn add_class(&self, class: ClassRow) -> Result<(), Fault> {
+        of!(self, add_class(class))
+    }
+
+    /// Stores a seat under the next number, which no seat of the class has ever had, and the hash of its first token.
+    ///
+    /// # Errors
+    /// The class has `most` seats already; the store cannot be written.
+    pub async fn add_seat(&self, class: String, seat: NewSeat, token: Hash, most: u32) -> Result<SeatRow, Fault> {
+        of!(self, add_seat(class, seat, token, most))
+    }
+
+    /// Stores the hash of a further token of a seat.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn add_token(&self, class: String, seat: u32, token: Hash) -> Result<(), Fault> {
+        of!(self, add_token(class, seat, token))
+    }
+
+    /// Stores the hash of a one-time link of the teacher. In a file it ends with the server, in a database after a day.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn add_link(&self, class: String, link: Hash) -> Result<(), Fault> {
+        of!(self, add_link(class, link))
+    }
+
+    /// Uses up a one-time link and stores the hash of a token of the teacher. Returns the class; `None` if the link was used, or
+    /// never existed.
+    ///
+    /// # Errors
+    /// The store cannot be written; the link can be used again then.
+    pub async fn exchange(&self, link: Hash, token: Hash) -> Result<Option<String>, Fault> {
+        of!(self, exchange(link, token))
+    }
+
+    /// Lets a student in.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {
+        of!(self, approve(class, seat))
+    }
+
+    /// Stores events of a seat, all or none. An event that is stored already adds nothing.
+    ///
+    /// # Errors
+    /// Another event has one of the numbers; there is no such seat; the store cannot be written.
+    pub async fn append(&self, class: String, seat: u32, at: u64, events: Vec<NewEvent>) -> Result<Outcome, Fault> {
+        of!(self, append(class, seat, at, events))
+    }
+
+    /// Stores an event of the teacher under the next number. Returns its order of arrival.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn append_of_teacher(
         &self,
-        work: impl FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
-    ) -> Result<T, Fault> {
-        self.send(work, Job::Change).await
+        class: String,
+        at: u64,
+        kind: &'static str,
+        body: String,
+    ) -> Result<u64, Fault> {
+        of!(self, append_of_teacher(class, at, kind, body))
     }
 
-    /// Does something outside of a transaction.
-    async fn alone<T: Send + 'static>(
-        &self,
-        work: impl FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
-    ) -> Result<T, Fault> {
-        self.send(work, Job::Alone).await
+    /// Stores the answers of one person to a survey.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
+        of!(self, add_sheet(class, id, body))
     }
 
-    async fn send<T: Send + 'static>(
-        &self,
-        work: impl FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
-        job: fn(Box<dyn writer::Pending>) -> Job,
-    ) -> Result<T, Fault> {
-        let (reply, answer) = oneshot::channel();
-        self.jobs.send(job(Task::boxed(work, reply))).await.map_err(|_| Fault::Ending)?;
-        answer.await.map_err(|_| Fault::Ending)?
+    /// All classes, the latest first.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn classes(&self) -> Result<Vec<ClassRow>, Fault> {
+        of!(self, classes())
     }
 
-    /// Reads with a connection of its own, on a thread for blocking work.
-    async fn read<T: Send + 'static>(
-        &self,
-        work: impl FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
-    ) -> Result<T, Fault> {
-        let store = self.clone();
-        let task = tokio::task::spawn_blocking(move || {
-            let idle = store.readers.lock().map_err(|_| Fault::Ending)?.pop();
-            let reader = match idle {
-                Some(reader) => reader,
-                None => reading(&store.path)?,
-            };
-            let result = work(&reader);
-            store.readers.lock().map_err(|_| Fault::Ending)?.push(reader);
-            result
-        });
-        task.await.map_err(|_| Fault::Ending)?
+    /// Seats of a class.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn seats(&self, class: String) -> Result<Vec<SeatRow>, Fault> {
+        of!(self, seats(class))
+    }
+
+    /// Sizes of what the seats of a class have stored, in bytes.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn sizes(&self, class: String) -> Result<Vec<(u32, u64)>, Fault> {
+        of!(self, sizes(class))
+    }
+
+    /// Hashes of the tokens of a class with their seats.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn tokens(&self, class: String) -> Result<Vec<(Hash, u32)>, Fault> {
+        of!(self, tokens(class))
+    }
+
+    /// Events of a class after `since` in the order of arrival, at most `most`. An event that is stored later has a higher number.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn events(&self, class: String, since: u64, most: u32) -> Result<Vec<EventRow>, Fault> {
+        of!(self, events(class, since, most))
+    }
+
+    /// Events of a seat in the order of their numbers.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn events_of_seat(&self, class: String, seat: u32) -> Result<Vec<EventRow>, Fault> {
+        of!(self, events_of_seat(class, seat))
+    }
+
+    /// Highest order of arrival; 0 for an empty store.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn last_number(&self) -> Result<u64, Fault> {
+        of!(self, last_number())
+    }
+
+    /// The latest event of the teacher of this kind.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn latest_of_teacher(&self, class: String, kind: &'static str) -> Result<Option<EventRow>, Fault> {
+        of!(self, latest_of_teacher(class, kind))
+    }
+
+    /// Answers to surveys, in the random order of their keys.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn sheets(&self, class: String) -> Result<Vec<String>, Fault> {
+        of!(self, sheets(class))
+    }
+
+    /// Erases a seat. Only its number stays, so that no backup brings it back.
+    ///
+    /// # Errors
+    /// There is no such seat, or the store cannot be written.
+    pub async fn erase_seat(&self, class: String, seat: u32) -> Result<(), Fault> {
+        of!(self, erase_seat(class, seat))
+    }
+
+    /// Erases a class with everything in it.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn erase_class(&self, class: String) -> Result<(), Fault> {
+        of!(self, erase_class(class))
+    }
+
+    /// Erases the classes whose time is over. Returns their identifiers.
+    ///
+    /// # Errors
+    /// The store cannot be read or written.
+    pub async fn erase_expired(&self, now: u64) -> Result<Vec<String>, Fault> {
+        let over: Vec<String> =
+            self.classes().await?.into_iter().filter(|class| class.expires <= now).map(|class| class.class).collect();
+        for class in &over {
+            self.erase_class(class.clone()).await?;
+        }
+        Ok(over)
+    }
+
+    /// Writes the tables once more without the places of erased rows. A file overwrites these places when it erases; a database
+    /// keeps everyone waiting meanwhile.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn rewrite(&self) -> Result<(), Fault> {
+        match &self.kind {
+            Kind::Sqlite(_) => Ok(()),
+            Kind::Postgres(store) => store.rewrite().await,
+        }
+    }
+
+    /// Place in the changes of other servers from which [`Store::news`] goes on.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn cursor(&self) -> Result<Cursor, Fault> {
+        match &self.kind {
+            Kind::Sqlite(_) => Ok(Cursor::default()),
+            Kind::Postgres(store) => store.cursor().await,
+        }
+    }
+
+    /// Everything that any server has changed after this place, until the call. A file has one server and no news.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn news(&self, since: Cursor) -> Result<News, Fault> {
+        match &self.kind {
+            Kind::Sqlite(_) => Ok(News::default()),
+            Kind::Postgres(store) => store.news(since).await,
+        }
+    }
+
+    /// Waits until some server has changed something. One task at a time may wait.
+    pub async fn changed(&self) {
+        match &self.kind {
+            Kind::Sqlite(_) => std::future::pending().await,
+            Kind::Postgres(store) => store.changed().await,
+        }
     }
 }
-
-/// A connection that writes.
-fn connection(path: &Path) -> Result<Connection, Fault> {
-    let connection = Connection::open(path)?;
-    connection.busy_timeout(BUSY)?;
-    // Deleted bytes are overwritten; an answer is given when its bytes are on disk.
-    connection.execute_batch(
-        "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA secure_delete=ON; PRAGMA trusted_schema=OFF;",
-    )?;
-    Ok(connection)
-}
-
-fn reading(path: &Path) -> Result<Connection, Fault> {
-    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-    let connection = Connection::open_with_flags(path, flags)?;
-    connection.busy_timeout(BUSY)?;
-    Ok(connection)
-}
-
-/// Files that SQLite keeps beside the store.
-pub fn files_beside(path: &Path) -> [PathBuf; 2] {
-    ["-wal", "-shm"].map(|ending| {
-        let mut name = path.as_os_str().to_owned();
-        name.push(ending);
-        name.into()
-    })
-}
-
-#[cfg(test)]
-mod tests;

@@ -1,9 +1,6 @@
-//! Reading and writing of rows.
+//! What is stored, for both stores.
 
-use super::Store;
-use super::fault::Fault;
 use crate::codes::Hash;
-use rusqlite::{Connection, OptionalExtension, Row, params};
 
 /// A class.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,7 +60,7 @@ pub struct EventRow {
     pub body: String,
 }
 
-/// Result of [`Store::append`].
+/// Result of [`super::Store::append`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
     /// Number of events that were new.
@@ -74,304 +71,51 @@ pub struct Outcome {
     pub number: u64,
 }
 
-impl EventRow {
-    fn of(row: &Row<'_>) -> rusqlite::Result<Self> {
-        Ok(Self {
-            number: unsigned(row, 0)?,
-            seat: row.get(1)?,
-            seq: unsigned(row, 2)?,
-            at: unsigned(row, 3)?,
-            kind: row.get(4)?,
-            body: row.get(5)?,
-        })
-    }
+/// A seat to store.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NewSeat {
+    /// Pseudonym, with [`NewSeat::NUMBER`] in the place of the number of the seat.
+    pub pseudonym: String,
+    /// Hash of the key for another device.
+    pub key: Hash,
+    /// False if the student waits for the teacher.
+    pub approved: bool,
 }
 
-/// A number that the tables hold as a signed one.
-fn unsigned(row: &Row<'_>, column: usize) -> rusqlite::Result<u64> {
-    Ok(u64::try_from(row.get::<_, i64>(column)?).unwrap_or(0))
+impl NewSeat {
+    /// Stands for the number of the seat in its pseudonym.
+    pub const NUMBER: &str = "#";
+}
+
+/// Place in the changes that all servers make.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cursor {
+    /// Order of arrival of the latest event.
+    pub event: u64,
+    /// Number of the latest change of classes, seats and tokens.
+    pub change: u64,
+}
+
+/// Changes of a store. What was changed several times has its latest state.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct News {
+    /// Place after them; the default if there is none.
+    pub cursor: Cursor,
+    /// Classes, also those that have changed otherwise.
+    pub classes: Vec<ClassRow>,
+    /// Erased seats with their class; seat 0 is the class.
+    pub erased: Vec<(String, u32)>,
+    /// Seats that are new or approved, with their class.
+    pub seats: Vec<(String, SeatRow)>,
+    /// Tokens of changed seats and classes.
+    pub tokens: Vec<(Hash, String, u32)>,
+    /// Classes with new events and the order of arrival of the latest.
+    pub latest: Vec<(String, u64)>,
+    /// Classes whose settings have changed.
+    pub settings: Vec<String>,
 }
 
 /// A number as the tables hold it.
-fn signed(number: u64) -> i64 {
+pub fn signed(number: u64) -> i64 {
     i64::try_from(number).unwrap_or(i64::MAX)
-}
-
-impl Store {
-    /// Stores a new class.
-    ///
-    /// # Errors
-    /// The store cannot be written.
-    pub async fn add_class(&self, class: ClassRow) -> Result<(), Fault> {
-        self.change(move |connection| {
-            connection.execute(
-                "INSERT INTO class VALUES(?,?,?,?,?,?)",
-                params![
-                    class.class,
-                    class.code,
-                    class.title,
-                    class.survey,
-                    signed(class.created),
-                    signed(class.expires)
-                ],
-            )?;
-            Ok(())
-        })
-        .await
-    }
-
-    /// Stores a seat and the hash of its first token.
-    ///
-    /// # Errors
-    /// The store cannot be written.
-    pub async fn add_seat(&self, class: String, seat: SeatRow, token: Hash) -> Result<(), Fault> {
-        self.change(move |connection| {
-            connection.prepare_cached("INSERT INTO seat VALUES(?,?,?,?,?)")?.execute(params![
-                class,
-                seat.seat,
-                seat.pseudonym,
-                seat.key,
-                seat.approved
-            ])?;
-            add_token(connection, &class, seat.seat, &token)
-        })
-        .await
-    }
-
-    /// Stores the hash of a further token of a seat, or of the teacher (seat 0).
-    ///
-    /// # Errors
-    /// The store cannot be written.
-    pub async fn add_token(&self, class: String, seat: u32, token: Hash) -> Result<(), Fault> {
-        self.change(move |connection| add_token(connection, &class, seat, &token)).await
-    }
-
-    /// Lets a student in.
-    ///
-    /// # Errors
-    /// The store cannot be written.
-    pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {
-        self.change(move |connection| {
-            connection.execute("UPDATE seat SET approved=1 WHERE class=? AND seat=?", params![class, seat])?;
-            Ok(())
-        })
-        .await
-    }
-
-    /// Stores events of a seat, all or none. An event that is stored already adds nothing.
-    ///
-    /// # Errors
-    /// Another event has one of the numbers; there is no such seat; the store cannot be written.
-    pub async fn append(&self, class: String, seat: u32, at: u64, events: Vec<NewEvent>) -> Result<Outcome, Fault> {
-        self.change(move |connection| append(connection, &class, seat, at, &events)).await
-    }
-
-    /// Stores an event of the teacher under the next number. Returns its order of arrival.
-    ///
-    /// # Errors
-    /// The store cannot be written.
-    pub async fn append_of_teacher(
-        &self,
-        class: String,
-        at: u64,
-        kind: &'static str,
-        body: String,
-    ) -> Result<u64, Fault> {
-        self.change(move |connection| {
-            let event = NewEvent { seq: highest(connection, &class, 0)? + 1, kind, body };
-            Ok(append(connection, &class, 0, at, &[event])?.number)
-        })
-        .await
-    }
-
-    /// Stores the answers of one person to a survey.
-    ///
-    /// # Errors
-    /// The store cannot be written.
-    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
-        self.change(move |connection| {
-            connection.execute("INSERT INTO sheet VALUES(?,?,?)", params![class, id, body])?;
-            Ok(())
-        })
-        .await
-    }
-
-    /// All classes, the latest first.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn classes(&self) -> Result<Vec<ClassRow>, Fault> {
-        self.read(|connection| {
-            let mut query = connection.prepare("SELECT * FROM class ORDER BY created DESC, class")?;
-            let rows = query.query_map([], |row| {
-                Ok(ClassRow {
-                    class: row.get(0)?,
-                    code: row.get(1)?,
-                    title: row.get(2)?,
-                    survey: row.get(3)?,
-                    created: unsigned(row, 4)?,
-                    expires: unsigned(row, 5)?,
-                })
-            })?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-
-    /// Seats of a class.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn seats(&self, class: String) -> Result<Vec<SeatRow>, Fault> {
-        self.read(move |connection| {
-            let mut query =
-                connection.prepare("SELECT seat, pseudonym, key, approved FROM seat WHERE class=? ORDER BY seat")?;
-            let rows = query.query_map([class], |row| {
-                Ok(SeatRow { seat: row.get(0)?, pseudonym: row.get(1)?, key: row.get(2)?, approved: row.get(3)? })
-            })?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-
-    /// Highest number of a seat that the class has ever had, erased ones included.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn last_seat(&self, class: String) -> Result<u32, Fault> {
-        self.read(move |connection| {
-            let query = "SELECT max(seat) FROM (SELECT class, seat FROM seat UNION ALL SELECT class, seat FROM erased) WHERE class=?";
-            Ok(connection.query_row(query, [class], |row| row.get::<_, Option<u32>>(0))?.unwrap_or(0))
-        })
-        .await
-    }
-
-    /// Sizes of what the seats of a class have stored, in bytes.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn sizes(&self, class: String) -> Result<Vec<(u32, u64)>, Fault> {
-        self.read(move |connection| {
-            let mut query =
-                connection.prepare("SELECT seat, sum(length(body)) FROM event WHERE class=? GROUP BY seat")?;
-            let rows = query.query_map([class], |row| Ok((row.get(0)?, unsigned(row, 1)?)))?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-
-    /// Hashes of the tokens of a class with their seats.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn tokens(&self, class: String) -> Result<Vec<(Hash, u32)>, Fault> {
-        self.read(move |connection| {
-            let mut query = connection.prepare("SELECT hash, seat FROM token WHERE class=?")?;
-            let rows = query.query_map([class], |row| Ok((row.get(0)?, row.get(1)?)))?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-
-    /// Events of a class after `since` in the order of arrival, at most `most`.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn events(&self, class: String, since: u64, most: u32) -> Result<Vec<EventRow>, Fault> {
-        self.read(move |connection| {
-            let mut query = connection.prepare_cached(
-                "SELECT number, seat, seq, at, kind, body FROM event WHERE number>? AND class=? ORDER BY number LIMIT ?",
-            )?;
-            let rows = query.query_map(params![signed(since), class, most], EventRow::of)?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-
-    /// Events of a seat in the order of their numbers.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn events_of_seat(&self, class: String, seat: u32) -> Result<Vec<EventRow>, Fault> {
-        self.read(move |connection| {
-            let mut query = connection.prepare_cached(
-                "SELECT number, seat, seq, at, kind, body FROM event WHERE class=? AND seat=? ORDER BY seq",
-            )?;
-            let rows = query.query_map(params![class, seat], EventRow::of)?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-
-    /// Highest order of arrival; 0 for an empty store.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn last_number(&self) -> Result<u64, Fault> {
-        self.read(last_number).await
-    }
-
-    /// The latest event of the teacher of this kind.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn latest_of_teacher(&self, class: String, kind: &'static str) -> Result<Option<EventRow>, Fault> {
-        self.read(move |connection| {
-            let query = "SELECT number, seat, seq, at, kind, body FROM event WHERE class=? AND seat=0 AND kind=? ORDER BY seq DESC LIMIT 1";
-            Ok(connection.query_row(query, params![class, kind], EventRow::of).optional()?)
-        })
-        .await
-    }
-
-    /// Answers to surveys, in the random order of their keys.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn sheets(&self, class: String) -> Result<Vec<String>, Fault> {
-        self.read(move |connection| {
-            let mut query = connection.prepare("SELECT body FROM sheet WHERE class=? ORDER BY id")?;
-            let rows = query.query_map([class], |row| row.get(0))?;
-            Ok(rows.collect::<Result<_, _>>()?)
-        })
-        .await
-    }
-}
-
-fn add_token(connection: &Connection, class: &str, seat: u32, token: &Hash) -> Result<(), Fault> {
-    connection.prepare_cached("INSERT INTO token VALUES(?,?,?)")?.execute(params![token, class, seat])?;
-    Ok(())
-}
-
-fn highest(connection: &Connection, class: &str, seat: u32) -> Result<u64, Fault> {
-    let mut query = connection.prepare_cached("SELECT max(seq) FROM event WHERE class=? AND seat=?")?;
-    let highest: Option<i64> = query.query_row(params![class, seat], |row| row.get(0))?;
-    Ok(highest.and_then(|highest| u64::try_from(highest).ok()).unwrap_or(0))
-}
-
-fn last_number(connection: &Connection) -> Result<u64, Fault> {
-    let mut query = connection.prepare_cached("SELECT max(number) FROM event")?;
-    let last: Option<i64> = query.query_row([], |row| row.get(0))?;
-    Ok(last.and_then(|last| u64::try_from(last).ok()).unwrap_or(0))
-}
-
-fn append(connection: &Connection, class: &str, seat: u32, at: u64, events: &[NewEvent]) -> Result<Outcome, Fault> {
-    let mut insert = connection
-        .prepare_cached("INSERT OR IGNORE INTO event(class, seat, seq, at, kind, body) VALUES(?,?,?,?,?,?)")?;
-    let mut same =
-        connection.prepare_cached("SELECT kind=? AND body=? FROM event WHERE class=? AND seat=? AND seq=?")?;
-    let mut added = 0;
-    for event in events {
-        let seq = signed(event.seq);
-        if insert.execute(params![class, seat, seq, signed(at), event.kind, event.body])? == 1 {
-            added += 1;
-        } else if !same.query_row(params![event.kind, event.body, class, seat, seq], |row| row.get::<_, bool>(0))? {
-            return Err(Fault::Taken(highest(connection, class, seat)?));
-        }
-    }
-    if seat > 0 && added > 0 {
-        // The seat may have been erased meanwhile.
-        let mut exists = connection.prepare_cached("SELECT 1 FROM seat WHERE class=? AND seat=?")?;
-        exists.query_row(params![class, seat], |_| Ok(()))?;
-    }
-    Ok(Outcome { added, highest: highest(connection, class, seat)?, number: last_number(connection)? })
 }

@@ -4,10 +4,10 @@ use serde_json::{Value, json};
 use server::class::{Class, Classes};
 use server::http::{Place, Server};
 use server::pages::{Document, Pages};
+use server::store::Location;
 use server::{Store, listen, now};
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::runtime::Runtime;
@@ -43,24 +43,26 @@ pub fn documents() -> Vec<Document> {
 }
 
 impl Running {
-    pub fn start(store: &Path) -> Self {
+    pub fn start(store: &Location) -> Self {
         Self::start_at(store, place(), "127.0.0.1:0")
     }
 
-    pub fn start_at(store: &Path, place: Place, address: &str) -> Self {
+    pub fn start_at(store: &Location, place: Place, address: &str) -> Self {
         let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_all().build().unwrap();
         let (server, class, address) = runtime.block_on(async {
-            let store = Store::open(store).unwrap();
+            let store = Store::open(store).await.unwrap();
             let classes = Classes::open(store, Language::English, now()).await.unwrap();
             let class = match classes.latest() {
                 Some(class) => class,
-                None => classes.begin("Tubes", 30, Language::English, now()).await.unwrap(),
+                None => classes.begin("Tubes", 30, now()).await.unwrap(),
             };
             let pages = Pages::new(documents(), &documents()[0].html, POLICY, Language::English);
             let server = Server::new(classes, pages, place);
             let listener = tokio::net::TcpListener::bind(address).await.unwrap();
             let address = listener.local_addr().unwrap();
             tokio::spawn(listen::serve(listener, server.routes(), None));
+            let follower = server.clone();
+            tokio::spawn(async move { follower.classes().follow().await });
             (server, class, address)
         });
         Self { address, server, class, _runtime: runtime }
@@ -83,9 +85,14 @@ impl Running {
         self.post("/api/join", "", &json!({ "code": self.class.code() })).ok()
     }
 
+    /// A one-time link of the teacher.
+    pub fn link(&self) -> String {
+        block(self.server.classes().link(&self.class)).unwrap()
+    }
+
     /// Token of the teacher.
     pub fn teacher(&self) -> String {
-        let link = self.server.classes().link(&self.class).unwrap();
+        let link = self.link();
         let token = self.post("/api/teacher/exchange", "", &json!({ "link": link })).ok();
         token["token"].as_str().unwrap().to_owned()
     }
@@ -151,4 +158,8 @@ pub fn parts(seq: u64, typed: &str, grade: &str) -> Vec<Value> {
     ];
     let part = |((part, value), seq)| json!({ "seq": seq, "document": "tube.md", "part": part, "value": value });
     parts.into_iter().zip(seq..).map(part).collect()
+}
+
+pub fn block<T>(work: impl Future<Output = T>) -> T {
+    tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap().block_on(work)
 }

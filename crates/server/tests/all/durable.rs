@@ -1,15 +1,19 @@
 //! A server that is killed.
 
 use crate::client::{Answer, Running, parts, read};
+use crate::storage::{Storage, cases, long_cases};
 use serde_json::json;
+use server::store::Location;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 use std::net::{SocketAddr, TcpStream};
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
+
+cases!(nothing_acknowledged_is_lost_when_the_server_is_killed);
+long_cases!(twenty_kills);
 
 /// Store of the child process.
 const STORE: &str = "MENISCUS_TEST_STORE";
@@ -18,17 +22,17 @@ const STORE: &str = "MENISCUS_TEST_STORE";
 #[test]
 #[ignore = "a server for the other tests"]
 fn child() {
-    let store = std::env::var_os(STORE).expect("the other tests start it");
-    let running = Running::start(Path::new(&store));
+    let store = std::env::var(STORE).expect("the other tests start it");
+    let running = Running::start(&Location::read(&store, None).unwrap());
     println!("\nready {} {}", running.address, running.class.code());
     std::thread::sleep(Duration::from_secs(120));
 }
 
 #[allow(clippy::zombie_processes, reason = "its callers wait for it; a child without a first line fails the test")]
-fn start(store: &Path) -> (Child, SocketAddr, String) {
+pub fn start(storage: &Storage) -> (Child, SocketAddr, String) {
     let mut child = Command::new(std::env::current_exe().unwrap())
         .args(["--ignored", "--exact", "--nocapture", "durable::child"])
-        .env(STORE, store)
+        .env(STORE, &storage.address)
         .stdout(Stdio::piped())
         .spawn()
         .unwrap();
@@ -41,7 +45,7 @@ fn start(store: &Path) -> (Child, SocketAddr, String) {
 }
 
 /// Sends a body; `None` if the server does not answer.
-fn post(address: SocketAddr, path: &str, token: &str, body: &str) -> Option<Answer> {
+pub fn post(address: SocketAddr, path: &str, token: &str, body: &str) -> Option<Answer> {
     let mut stream = TcpStream::connect_timeout(&address, Duration::from_secs(5)).ok()?;
     let head = format!(
         "POST {path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nAuthorization: Bearer {token}\r\nContent-Length: {}\r\n\r\n{body}",
@@ -52,13 +56,11 @@ fn post(address: SocketAddr, path: &str, token: &str, body: &str) -> Option<Answ
 }
 
 /// Kills the server `times` times while eight students hand in. Returns the number of acknowledged hand-ins.
-fn kills(times: usize) -> usize {
-    let folder = tempfile::tempdir().unwrap();
-    let store = folder.path().join("class.sqlite");
+fn kills(storage: &Storage, times: usize) -> usize {
     let acknowledged: Mutex<BTreeMap<(u64, u64), String>> = Mutex::default();
     let mut tokens: Vec<(u64, String)> = Vec::new();
     for round in 0..times {
-        let (mut child, address, code) = start(&store);
+        let (mut child, address, code) = start(storage);
         while tokens.len() < 8 {
             let joined = post(address, "/api/join", "", &json!({ "code": code }).to_string()).unwrap().ok();
             tokens.push((joined["seat"].as_u64().unwrap(), joined["token"].as_str().unwrap().to_owned()));
@@ -88,7 +90,7 @@ fn kills(times: usize) -> usize {
         child.wait().unwrap();
     }
     let acknowledged = acknowledged.into_inner().unwrap();
-    let running = Running::start(&store);
+    let running = Running::start(&storage.location);
     let teacher = running.teacher();
     let mut found: BTreeMap<(u64, u64), u32> = BTreeMap::new();
     for (seat, token) in &tokens {
@@ -107,14 +109,11 @@ fn kills(times: usize) -> usize {
     acknowledged.len()
 }
 
-#[test]
-fn nothing_acknowledged_is_lost_when_the_server_is_killed() {
-    assert!(kills(3) > 0);
+fn nothing_acknowledged_is_lost_when_the_server_is_killed(storage: &Storage) {
+    assert!(kills(storage, 3) > 0);
 }
 
-/// `cargo test --release -p server --test all durable::twenty -- --ignored --nocapture`
-#[test]
-#[ignore = "takes a minute"]
-fn twenty_kills() {
-    println!("{} hand-ins acknowledged, none lost, none doubled", kills(20));
+/// `cargo test --release -p server --test all twenty_kills -- --ignored --nocapture`
+fn twenty_kills(storage: &Storage) {
+    println!("{} hand-ins acknowledged, none lost, none doubled", kills(storage, 20));
 }

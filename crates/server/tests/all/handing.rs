@@ -1,13 +1,20 @@
 //! From joining to the teacher's hand-in.
 
 use crate::client::{Running, parts};
+use crate::storage::{Storage, cases};
 use saved::hand_in::HandIn;
 use serde_json::json;
 
-#[test]
-fn a_hand_in_of_a_student_reaches_the_teacher() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+cases!(
+    a_hand_in_of_a_student_reaches_the_teacher,
+    a_student_sees_downloads_and_erases_what_is_stored,
+    another_device_takes_the_same_seat_and_numbers_do_not_collide,
+    the_file_for_a_class_connects_to_its_server_alone,
+    survey_answers_have_neither_seat_nor_order,
+);
+
+fn a_hand_in_of_a_student_reaches_the_teacher(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let joined = running.join();
     let token = joined["token"].as_str().unwrap();
     let sent = running.post("/api/events", token, &json!({ "events": parts(1, "4.5", "correct") })).ok();
@@ -29,10 +36,8 @@ fn a_hand_in_of_a_student_reaches_the_teacher() {
     assert!(file.body.contains("0.30000000000000004"), "numbers keep their bits: {}", file.body);
 }
 
-#[test]
-fn a_student_sees_downloads_and_erases_what_is_stored() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+fn a_student_sees_downloads_and_erases_what_is_stored(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let joined = running.join();
     let token = joined["token"].as_str().unwrap();
     running.post("/api/events", token, &json!({ "events": parts(1, "4.5", "correct") })).ok();
@@ -48,10 +53,8 @@ fn a_student_sees_downloads_and_erases_what_is_stored() {
     assert_eq!(running.join()["seat"], 2);
 }
 
-#[test]
-fn another_device_takes_the_same_seat_and_numbers_do_not_collide() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+fn another_device_takes_the_same_seat_and_numbers_do_not_collide(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let first = running.join();
     let second = running.post("/api/join", "", &json!({ "code": first["key"] })).ok();
     assert_eq!((&second["seat"], &second["pseudonym"]), (&first["seat"], &first["pseudonym"]));
@@ -64,10 +67,8 @@ fn another_device_takes_the_same_seat_and_numbers_do_not_collide() {
     assert!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).body.contains("\"typed\":\"9\""));
 }
 
-#[test]
-fn the_file_for_a_class_connects_to_its_server_alone() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+fn the_file_for_a_class_connects_to_its_server_alone(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let token = running.join()["token"].as_str().unwrap().to_owned();
     let file = running.get("/api/file/tube.md", &token);
     assert_eq!(file.status, 200);
@@ -88,10 +89,8 @@ fn the_file_for_a_class_connects_to_its_server_alone() {
     assert_eq!(running.get("/d/none.md", "").status, 404);
 }
 
-#[test]
-fn survey_answers_have_neither_seat_nor_order() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+fn survey_answers_have_neither_seat_nor_order(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let joined = running.join();
     let survey = joined["survey"].as_str().unwrap();
     for number in 0..20 {

@@ -3,6 +3,7 @@
 //! Durations are printed and not checked.
 
 use crate::client::{Running, parts};
+use crate::storage::{Storage, long_cases};
 use serde_json::{Value, json};
 use std::net::SocketAddr;
 use std::time::{Duration, Instant};
@@ -10,11 +11,7 @@ use tokio::io::{AsyncBufReadExt, AsyncReadExt, AsyncWriteExt, BufReader};
 use tokio::net::TcpStream;
 use tokio::task::JoinSet;
 
-fn running() -> (tempfile::TempDir, Running) {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
-    (folder, running)
-}
+long_cases!(forty_students, two_thousand_at_the_same_instant, hand_ins_a_second, two_thousand_streams);
 
 fn client<T>(work: impl Future<Output = T>) -> T {
     tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap().block_on(work)
@@ -91,10 +88,8 @@ fn report(title: &str, mut times: Vec<Duration>, whole: Duration) {
     );
 }
 
-#[test]
-#[ignore = "prints durations"]
-fn forty_students() {
-    let (_folder, running) = running();
+fn forty_students(storage: &Storage) {
+    let running = Running::start(&storage.location);
     client(async {
         let mut set = JoinSet::new();
         let begun = Instant::now();
@@ -117,10 +112,8 @@ fn forty_students() {
     });
 }
 
-#[test]
-#[ignore = "prints durations"]
-fn two_thousand_at_the_same_instant() {
-    let (_folder, running) = running();
+fn two_thousand_at_the_same_instant(storage: &Storage) {
+    let running = Running::start(&storage.location);
     client(async {
         let mut all = students(&running, 2000).await;
         for round in 1..=5 {
@@ -144,10 +137,8 @@ fn two_thousand_at_the_same_instant() {
     });
 }
 
-#[test]
-#[ignore = "prints durations"]
-fn hand_ins_a_second() {
-    let (_folder, running) = running();
+fn hand_ins_a_second(storage: &Storage) {
+    let running = Running::start(&storage.location);
     client(async {
         let mut set = JoinSet::new();
         let all = students(&running, 256).await;
@@ -168,10 +159,8 @@ fn hand_ins_a_second() {
     });
 }
 
-#[test]
-#[ignore = "prints durations"]
-fn two_thousand_streams() {
-    let (_folder, running) = running();
+fn two_thousand_streams(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let teacher = running.teacher();
     client(async {
         let mut set = JoinSet::new();

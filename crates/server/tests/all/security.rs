@@ -1,21 +1,28 @@
 //! What strangers and students must not be able to do.
 
-use crate::client::{Running, parts, place, read, send};
+use crate::client::{Running, block, parts, place, read, send};
+use crate::storage::{Storage, cases};
 use serde_json::json;
 use server::http::{LARGEST, Place};
+use server::store::Location;
 use std::io::Write;
 use std::net::TcpStream;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-fn running() -> (tempfile::TempDir, Running) {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
-    (folder, running)
-}
+cases!(
+    wrong_codes_are_limited_and_right_ones_are_not,
+    two_thousand_students_join_from_one_address,
+    other_hosts_are_refused,
+    tokens_open_their_own_class_and_seat_alone,
+    the_link_of_the_teacher_works_once,
+    bodies_are_bounded,
+    a_client_that_sends_nothing_keeps_nobody_waiting,
+    no_answer_sets_a_cookie_and_other_origins_need_a_token,
+    scripts_in_the_names_of_documents_stay_texts,
+);
 
-#[test]
-fn wrong_codes_are_limited_and_right_ones_are_not() {
-    let (_folder, running) = running();
+fn wrong_codes_are_limited_and_right_ones_are_not(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let wrong = || running.post("/api/join", "", &json!({ "code": "22222I" })).why();
     for _ in 0..20 {
         assert_eq!(wrong(), (404, "code".to_owned()));
@@ -36,9 +43,8 @@ fn wrong_codes_are_limited_and_right_ones_are_not() {
     assert!(waits.into_inner() > 0 && passed.into_inner() <= 50);
 }
 
-#[test]
-fn two_thousand_students_join_from_one_address() {
-    let (_folder, running) = running();
+fn two_thousand_students_join_from_one_address(storage: &Storage) {
+    let running = Running::start(&storage.location);
     std::thread::scope(|scope| {
         for _ in 0..20 {
             scope.spawn(|| (0..100).for_each(|_| drop(running.join())));
@@ -50,9 +56,8 @@ fn two_thousand_students_join_from_one_address() {
     assert_eq!(names.len(), 2000);
 }
 
-#[test]
-fn other_hosts_are_refused() {
-    let (_folder, running) = running();
+fn other_hosts_are_refused(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let asked = |host: &str| send(running.address, "GET", "/", &[("Host", host)], "").status;
     for host in ["127.0.0.1:4250", "localhost", "192.168.1.5:4250", "[::1]:4250", "class.example", "CLASS.example:443"]
     {
@@ -64,9 +69,8 @@ fn other_hosts_are_refused() {
     assert_eq!(send(running.address, "GET", "/teacher", &[("Host", "attacker.example")], "").status, 403);
 }
 
-#[test]
-fn tokens_open_their_own_class_and_seat_alone() {
-    let (_folder, running) = running();
+fn tokens_open_their_own_class_and_seat_alone(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let student = running.join()["token"].as_str().unwrap().to_owned();
     let teacher = running.teacher();
     running.post("/api/events", &student, &json!({ "events": parts(1, "4.5", "correct") })).ok();
@@ -85,8 +89,8 @@ fn tokens_open_their_own_class_and_seat_alone() {
     }
     // Another class in the same store.
     let classes = running.server.classes();
-    let other = futures_block(classes.begin("Other", 30, units::Language::English, server::now())).unwrap();
-    let link = classes.link(&other).unwrap();
+    let other = block(classes.begin("Other", 30, server::now())).unwrap();
+    let link = block(classes.link(&other)).unwrap();
     let others = running.post("/api/teacher/exchange", "", &json!({ "link": link })).ok()["token"].clone();
     let others = others.as_str().unwrap();
     assert_eq!(running.get("/api/teacher/hand-in/1/tube.md", others).status, 404);
@@ -95,14 +99,9 @@ fn tokens_open_their_own_class_and_seat_alone() {
     assert_eq!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).status, 200);
 }
 
-fn futures_block<T>(work: impl Future<Output = T>) -> T {
-    tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap().block_on(work)
-}
-
-#[test]
-fn the_link_of_the_teacher_works_once() {
-    let (_folder, running) = running();
-    let link = json!({ "link": running.server.classes().link(&running.class).unwrap() });
+fn the_link_of_the_teacher_works_once(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let link = json!({ "link": running.link() });
     running.post("/api/teacher/exchange", "", &link).ok();
     assert_eq!(running.post("/api/teacher/exchange", "", &link).why(), (403, "link".to_owned()));
 }
@@ -112,14 +111,14 @@ fn the_dashboard_answers_to_this_computer_only_unless_encrypted() {
     let folder = tempfile::tempdir().unwrap();
     // A proxy on this computer passes the address of the client on; without encryption it is not believed to be a proxy.
     let proxied = |place: Place, name: &str| {
-        let running = Running::start_at(&folder.path().join(name), place, "127.0.0.1:0");
+        let running = Running::start_at(&Location::File(folder.path().join(name)), place, "127.0.0.1:0");
         send(running.address, "GET", "/teacher", &[("Host", "localhost"), ("X-Forwarded-For", "192.0.2.7")], "").status
     };
     assert_eq!(proxied(place(), "a"), 200);
     assert_eq!(proxied(Place { is_encrypted: true, is_behind_proxy: true, ..place() }, "b"), 200);
     // A connection from another address of this machine.
     let Some(own) = own_address() else { return assert!(std::net::UdpSocket::bind("127.0.0.1:0").is_ok()) };
-    let running = Running::start_at(&folder.path().join("c"), place(), &format!("{own}:0"));
+    let running = Running::start_at(&Location::File(folder.path().join("c")), place(), &format!("{own}:0"));
     assert_eq!(running.get("/teacher", "").why(), (403, "place".to_owned()));
     assert_eq!(running.get("/", "").status, 200);
 }
@@ -131,9 +130,8 @@ fn own_address() -> Option<std::net::IpAddr> {
     Some(socket.local_addr().ok()?.ip()).filter(|address| !address.is_loopback() && !address.is_unspecified())
 }
 
-#[test]
-fn bodies_are_bounded() {
-    let (_folder, running) = running();
+fn bodies_are_bounded(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let token = running.join()["token"].as_str().unwrap().to_owned();
     let claim = |length: &str| {
         let mut stream = TcpStream::connect(running.address).unwrap();
@@ -175,9 +173,8 @@ fn bodies_are_bounded() {
     assert_eq!(status, 413);
 }
 
-#[test]
-fn a_client_that_sends_nothing_keeps_nobody_waiting() {
-    let (_folder, running) = running();
+fn a_client_that_sends_nothing_keeps_nobody_waiting(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let _silent: Vec<TcpStream> = (0..200)
         .map(|_| {
             let mut stream = TcpStream::connect(running.address).unwrap();
@@ -189,9 +186,8 @@ fn a_client_that_sends_nothing_keeps_nobody_waiting() {
     running.join();
 }
 
-#[test]
-fn no_answer_sets_a_cookie_and_other_origins_need_a_token() {
-    let (_folder, running) = running();
+fn no_answer_sets_a_cookie_and_other_origins_need_a_token(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let joined = running.join();
     let token = joined["token"].as_str().unwrap();
     let teacher = running.teacher();
@@ -227,9 +223,8 @@ fn no_answer_sets_a_cookie_and_other_origins_need_a_token() {
     assert!(!foreign.head.contains("access-control-allow"), "{}", foreign.head);
 }
 
-#[test]
-fn scripts_in_the_names_of_documents_stay_texts() {
-    let (_folder, running) = running();
+fn scripts_in_the_names_of_documents_stay_texts(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let page = running.get("/d/tube.md", "").body;
     let start = page.find("id=\"class-config\">").unwrap();
     let config = &page[start..start + page[start..].find("</script>").unwrap()];

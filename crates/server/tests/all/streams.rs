@@ -1,15 +1,21 @@
 //! Streams of events.
 
 use crate::client::{Running, parts};
+use crate::storage::{Storage, cases};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
 use std::time::Duration;
 
-struct Stream(BufReader<TcpStream>);
+cases!(
+    a_stream_of_the_teacher_goes_on_where_it_ended,
+    a_stream_of_a_student_follows_the_settings_and_ends_with_the_seat,
+);
+
+pub struct Stream(BufReader<TcpStream>);
 
 impl Stream {
-    fn open(running: &Running, path: &str, token: &str) -> (Self, String) {
+    pub fn open(running: &Running, path: &str, token: &str) -> (Self, String) {
         let mut stream = TcpStream::connect(running.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         write!(
@@ -26,7 +32,7 @@ impl Stream {
     }
 
     /// The next message; `None` at the end.
-    fn next(&mut self) -> Option<Value> {
+    pub fn next(&mut self) -> Option<Value> {
         loop {
             let mut line = String::new();
             if self.0.read_line(&mut line).unwrap() == 0 {
@@ -39,10 +45,8 @@ impl Stream {
     }
 }
 
-#[test]
-fn a_stream_of_the_teacher_goes_on_where_it_ended() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+fn a_stream_of_the_teacher_goes_on_where_it_ended(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let (joined, teacher) = (running.join(), running.teacher());
     let send = |seq| {
         running
@@ -63,10 +67,8 @@ fn a_stream_of_the_teacher_goes_on_where_it_ended() {
     assert_eq!(numbers, [7, 8, 9, 10, 11, 12]);
 }
 
-#[test]
-fn a_stream_of_a_student_follows_the_settings_and_ends_with_the_seat() {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
+fn a_stream_of_a_student_follows_the_settings_and_ends_with_the_seat(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let (joined, teacher) = (running.join(), running.teacher());
     let (mut stream, _) = Stream::open(&running, "/api/stream", joined["token"].as_str().unwrap());
     assert_eq!(stream.next().unwrap()["settings"]["paused"], false);

@@ -1,21 +1,22 @@
 //! Actions of the teacher.
 
 use crate::client::{Running, parts};
+use crate::storage::{Storage, cases};
 use serde_json::{Value, json};
 
-fn running() -> (tempfile::TempDir, Running) {
-    let folder = tempfile::tempdir().unwrap();
-    let running = Running::start(&folder.path().join("class.sqlite"));
-    (folder, running)
-}
+cases!(
+    a_closed_class_accepts_nothing_until_it_is_opened,
+    late_joiners_wait_for_the_teacher,
+    others_answers_are_seen_after_ones_own_and_only_if_shown,
+    settings_outlive_the_server,
+);
 
 fn token(joined: &Value) -> &str {
     joined["token"].as_str().unwrap()
 }
 
-#[test]
-fn a_closed_class_accepts_nothing_until_it_is_opened() {
-    let (_folder, running) = running();
+fn a_closed_class_accepts_nothing_until_it_is_opened(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let (joined, teacher) = (running.join(), running.teacher());
     let send = |seq| running.post("/api/events", token(&joined), &json!({ "events": parts(seq, "1", "wrong") })).why();
     let set = |settings: Value| drop(running.post("/api/teacher/settings", &teacher, &settings).ok());
@@ -31,9 +32,8 @@ fn a_closed_class_accepts_nothing_until_it_is_opened() {
     assert_eq!(send(10).0, 200);
 }
 
-#[test]
-fn late_joiners_wait_for_the_teacher() {
-    let (_folder, running) = running();
+fn late_joiners_wait_for_the_teacher(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let (early, teacher) = (running.join(), running.teacher());
     running.post("/api/teacher/settings", &teacher, &json!({ "open": true, "approve": true })).ok();
     let late = running.join();
@@ -45,9 +45,8 @@ fn late_joiners_wait_for_the_teacher() {
     assert_eq!(running.post("/api/teacher/approve", &teacher, &json!({ "seat": 9 })).status, 404);
 }
 
-#[test]
-fn others_answers_are_seen_after_ones_own_and_only_if_shown() {
-    let (_folder, running) = running();
+fn others_answers_are_seen_after_ones_own_and_only_if_shown(storage: &Storage) {
+    let running = Running::start(&storage.location);
     let teacher = running.teacher();
     let students: Vec<Value> = (0..3).map(|_| running.join()).collect();
     for (student, (typed, grade)) in students.iter().zip([("4.5", "correct"), ("9", "wrong")]) {
@@ -60,12 +59,9 @@ fn others_answers_are_seen_after_ones_own_and_only_if_shown() {
     assert_eq!(seen(2), json!([]));
 }
 
-#[test]
-fn settings_outlive_the_server() {
-    let folder = tempfile::tempdir().unwrap();
-    let store = folder.path().join("class.sqlite");
+fn settings_outlive_the_server(storage: &Storage) {
     let (teacher, joined) = {
-        let running = Running::start(&store);
+        let running = Running::start(&storage.location);
         let (teacher, joined) = (running.teacher(), running.join());
         running
             .post("/api/teacher/settings", &teacher, &json!({ "open": true, "paused": true, "pace": "a b.md" }))
@@ -73,7 +69,7 @@ fn settings_outlive_the_server() {
         assert_eq!(running.post("/api/teacher/settings", &teacher, &json!({ "pace": "none.md" })).status, 400);
         (teacher, joined)
     };
-    let running = Running::start(&store);
+    let running = Running::start(&storage.location);
     let class = running.get("/api/teacher/class", &teacher).ok();
     assert_eq!((&class["settings"]["paused"], &class["settings"]["pace"]), (&json!(true), &json!("a b.md")));
     assert_eq!(running.get("/api/state", token(&joined)).ok()["settings"]["paused"], true);

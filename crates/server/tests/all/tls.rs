@@ -4,6 +4,7 @@ use crate::client::{POLICY, documents, place};
 use server::class::Classes;
 use server::http::{Place, Server};
 use server::pages::Pages;
+use server::store::Location;
 use server::{Store, listen, now};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -25,7 +26,7 @@ fn file(name: &str) -> PathBuf {
 async fn connections_are_encrypted_with_a_certificate() {
     let folder = tempfile::tempdir().unwrap();
     let tls = listen::tls(&file("tls-cert.pem"), &file("tls-key.pem")).unwrap();
-    let store = Store::open(&folder.path().join("class.sqlite")).unwrap();
+    let store = Store::open(&Location::File(folder.path().join("class.sqlite"))).await.unwrap();
     let classes = Classes::open(store, Language::English, now()).await.unwrap();
     let pages = Pages::new(documents(), "", POLICY, Language::English);
     let server = Server::new(classes, pages, Place { is_encrypted: true, ..place() });

@@ -1,11 +1,9 @@
 //! The thread that writes: group commit.
 
-use super::fault::Fault;
+use super::super::GROUP;
+use super::super::fault::Fault;
 use rusqlite::Connection;
 use tokio::sync::{mpsc, oneshot};
-
-/// Maximum number of changes in one transaction.
-const GROUP: usize = 256;
 
 /// A piece of work for the writing thread.
 pub enum Job {

@@ -1,6 +1,6 @@
 //! Tables of the store.
 
-use super::fault::Fault;
+use super::super::fault::Fault;
 use rusqlite::Connection;
 
 /// Version of the tables, in `user_version`.

@@ -1,23 +1,15 @@
 //! Erasing: no byte of a text stays in the file or in its write-ahead log.
 
-use super::Store;
-use super::fault::Fault;
+use super::super::fault::Fault;
+use super::Sqlite;
 use rusqlite::{Connection, params};
 
-impl Store {
-    /// Erases a seat. Only its number stays, so that no backup brings it back.
-    ///
-    /// # Errors
-    /// There is no such seat, or the store cannot be written.
+impl Sqlite {
     pub async fn erase_seat(&self, class: String, seat: u32) -> Result<(), Fault> {
         self.change(move |connection| erase_seat(connection, &class, seat)).await?;
         self.empty_log().await
     }
 
-    /// Erases a class with everything in it.
-    ///
-    /// # Errors
-    /// The store cannot be written.
     pub async fn erase_class(&self, class: String) -> Result<(), Fault> {
         self.change(move |connection| {
             erase_class(connection, &class)?;
@@ -27,19 +19,6 @@ impl Store {
         })
         .await?;
         self.empty_log().await
-    }
-
-    /// Erases the classes whose time is over. Returns their identifiers.
-    ///
-    /// # Errors
-    /// The store cannot be read or written.
-    pub async fn erase_expired(&self, now: u64) -> Result<Vec<String>, Fault> {
-        let over: Vec<String> =
-            self.classes().await?.into_iter().filter(|class| class.expires <= now).map(|class| class.class).collect();
-        for class in &over {
-            self.erase_class(class.clone()).await?;
-        }
-        Ok(over)
     }
 
     /// Copies the write-ahead log into the file and empties it. Readers that keep the log are waited for.

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
 
-use super::{ClassRow, Fault, NewEvent, SeatRow, Store};
+use super::super::{ClassRow, Fault, NewEvent, NewSeat};
+use super::Sqlite;
 
 fn event(seq: u64) -> NewEvent {
     NewEvent { seq, kind: "part", body: "x".repeat(2000) }
@@ -11,7 +12,7 @@ fn event(seq: u64) -> NewEvent {
 #[tokio::test]
 async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
     let folder = tempfile::tempdir().unwrap();
-    let store = Store::open(&folder.path().join("class.sqlite")).unwrap();
+    let store = Sqlite::open(&folder.path().join("class.sqlite")).unwrap();
     let class = ClassRow {
         class: "c".to_owned(),
         code: "C".to_owned(),
@@ -21,8 +22,8 @@ async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
         expires: 1,
     };
     store.add_class(class).await.unwrap();
-    let seat = SeatRow { seat: 1, pseudonym: "a".to_owned(), key: [0; 32], approved: true };
-    store.add_seat("c".to_owned(), seat, [1; 32]).await.unwrap();
+    let seat = NewSeat { pseudonym: "a".to_owned(), key: [0; 32], approved: true };
+    store.add_seat("c".to_owned(), seat, [1; 32], 9).await.unwrap();
     // SQLite answers with the same error as on a full disk.
     let limit = |pages: i64| {
         store.alone(move |connection| {
@@ -48,7 +49,7 @@ async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
         }
     }
     assert!(!acknowledged.is_empty() && !refused.is_empty());
-    let stored = |store: &Store| {
+    let stored = |store: &Sqlite| {
         let store = store.clone();
         async move {
             store.events_of_seat("c".to_owned(), 1).await.unwrap().iter().map(|event| event.seq).collect::<Vec<_>>()

@@ -11,6 +11,7 @@ pub fn all() -> Result<()> {
     step("the page", page::build)?;
     step("lints", lints)?;
     step("unit and integration tests", tests)?;
+    step("the class server before Postgres", postgres)?;
     step("golden runs in WebAssembly", golden::compare)?;
     step("the page in Chromium and Firefox", browsers)
 }
@@ -22,7 +23,7 @@ pub fn full() -> Result<()> {
         let server = ["test", "--release", "--package", "server", "--test", "all", "--"];
         // One after the other, so that the durations that they print are their own.
         let long = ["--ignored", "--skip", "durable::child", "--nocapture", "--test-threads", "1"];
-        run(cargo(&server).args(long))
+        run(cargo(&server).args(long).env(tools::POSTGRES, tools::postgres()?))
     })
 }
 
@@ -33,6 +34,12 @@ fn tests() -> Result<()> {
     let mut workspace = cargo(&["test", "--workspace", "--exclude", "lab", "--exclude", "xtask"]);
     // Generated cases are the same in each check, so that a change is judged by what it changed. `cargo test` draws others.
     run(workspace.env("PROPTEST_RNG_SEED", "1"))
+}
+
+/// Tests of the class server that need Postgres, of which each test program starts one of its own.
+fn postgres() -> Result<()> {
+    let tests = ["test", "--package", "server", "--test", "all", "postgres::", "--", "--ignored"];
+    run(cargo(&tests).env(tools::POSTGRES, tools::postgres()?))
 }
 
 fn lints() -> Result<()> {

@@ -102,11 +102,7 @@ impl Browser {
     }
 
     fn install(&self) -> Result<PathBuf> {
-        let apt = find("apt-get").context("there is no apt-get to install it")?;
-        steps::run(Command::new(&apt).arg("update"))?;
-        let mut install = Command::new(&apt);
-        install.args(["install", "--yes", "--no-install-recommends"]).args(self.packages);
-        steps::run(install.env("DEBIAN_FRONTEND", "noninteractive"))?;
+        install(self.packages)?;
         self.installed().context("apt-get has installed no program of this name")
     }
 
@@ -114,6 +110,42 @@ impl Browser {
         let in_path = self.programs.iter().find_map(|name| find(name));
         in_path.or_else(|| self.places.iter().map(PathBuf::from).find(|path| path.is_file()))
     }
+}
+
+/// Environment variable with the folder of Postgres's programs.
+pub const POSTGRES: &str = "POSTGRES_BIN";
+
+/// Folder of Postgres's programs: from the environment variable, else that of `initdb` in `PATH` or where Debian has the newest
+/// version, else after installation with apt.
+pub fn postgres() -> Result<PathBuf> {
+    if let Some(folder) = std::env::var_os(POSTGRES).map(PathBuf::from) {
+        return Ok(folder);
+    }
+    if let Some(folder) = installed_postgres() {
+        return Ok(folder);
+    }
+    install(&["postgresql"])
+        .and_then(|()| installed_postgres().context("apt-get has installed no `initdb`"))
+        .with_context(|| format!("the tests of the class server need Postgres: install it, or set {POSTGRES}"))
+}
+
+fn installed_postgres() -> Option<PathBuf> {
+    let in_path = find("initdb").and_then(|program| Some(program.parent()?.to_owned()));
+    let debian = || {
+        let versions = std::fs::read_dir("/usr/lib/postgresql").ok()?.filter_map(|entry| Some(entry.ok()?.path()));
+        let folders = versions.map(|version| version.join("bin")).filter(|folder| folder.join("initdb").is_file());
+        folders.max()
+    };
+    in_path.or_else(debian)
+}
+
+/// Installs packages with apt.
+fn install(packages: &[&str]) -> Result<()> {
+    let apt = find("apt-get").context("there is no apt-get to install it")?;
+    steps::run(Command::new(&apt).arg("update"))?;
+    let mut install = Command::new(&apt);
+    install.args(["install", "--yes", "--no-install-recommends"]).args(packages);
+    steps::run(install.env("DEBIAN_FRONTEND", "noninteractive"))
 }
 
 /// Path of a program in `PATH`.

@@ -218,6 +218,18 @@ pub struct Classes {
     keys: Mutex<HashMap<Hash, (Arc<Class>, u32)>>,
 }
 
+fn new_class(title: &str, days: u32, now: u64) -> Result<ClassRow, Fault> {
+    let [id, code] = [codes::code(12), codes::code(codes::CLASS_CODE)].map(|code| code.ok_or(Fault::Ending));
+    Ok(ClassRow {
+        class: id?,
+        code: code?,
+        title: title.to_owned(),
+        survey: codes::token().ok_or(Fault::Ending)?,
+        created: now,
+        expires: now + u64::from(days) * DAY,
+    })
+}
+
 impl Classes {
     /// Reads all classes of a store; those whose time is over are erased before.
     ///
@@ -343,21 +355,28 @@ impl Classes {
         locked(&self.classes).first().cloned()
     }
 
+    /// The latest class. If the store has none, begins one, even if several servers ask at the same time.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn latest_or_begin(&self, title: &str, days: u32, now: u64) -> Result<Arc<Class>, Fault> {
+        if let Some(class) = self.latest() {
+            return Ok(class);
+        }
+        self.store.add_class(new_class(title, days, now)?, true).await?;
+        for row in self.store.classes().await? {
+            self.read(row).await?;
+        }
+        self.latest().ok_or(Fault::Missing)
+    }
+
     /// Begins a new class, which is kept for this number of days.
     ///
     /// # Errors
     /// The store cannot be written.
     pub async fn begin(&self, title: &str, days: u32, now: u64) -> Result<Arc<Class>, Fault> {
-        let [id, code] = [codes::code(12), codes::code(codes::CLASS_CODE)].map(|code| code.ok_or(Fault::Ending));
-        let row = ClassRow {
-            class: id?,
-            code: code?,
-            title: title.to_owned(),
-            survey: codes::token().ok_or(Fault::Ending)?,
-            created: now,
-            expires: now + u64::from(days) * DAY,
-        };
-        self.store.add_class(row.clone()).await?;
+        let row = new_class(title, days, now)?;
+        self.store.add_class(row.clone(), false).await?;
         self.read(row).await
     }
 

@@ -120,10 +120,11 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         let fails = |fault| about(&location, &fault);
         let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
-        let class = match classes.latest().filter(|_| !arguments.new) {
-            Some(class) => class,
-            None => classes.begin(&title, arguments.keep, now()).await.map_err(fails)?,
+        let class = match arguments.new {
+            true => classes.begin(&title, arguments.keep, now()).await,
+            false => classes.latest_or_begin(&title, arguments.keep, now()).await,
         };
+        let class = class.map_err(fails)?;
         let listener = listener(arguments.port).await.map_err(|error| network(&error))?;
         let port = listener.local_addr().map_err(|error| network(&error))?.port();
         let (place, tls) = place(arguments, port)?;

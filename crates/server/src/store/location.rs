@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 use tokio_postgres::Config;
 use tokio_postgres::config::{Host, SslMode};
 
+/// Port of Postgres if an address names none.
+const PORT: u16 = 5432;
+
 /// Where a store is.
 #[derive(Clone, Debug)]
 pub enum Location {
@@ -59,7 +62,8 @@ impl fmt::Display for Location {
             None => String::new(),
         };
         let user = config.get_user().map(|user| format!("{user}@")).unwrap_or_default();
-        let port = config.get_ports().first().map(|port| format!(":{port}")).unwrap_or_default();
+        let port = config.get_ports().first().filter(|port| **port != PORT);
+        let port = port.map(|port| format!(":{port}")).unwrap_or_default();
         let name = config.get_dbname().map(|name| format!("/{name}")).unwrap_or_default();
         write!(formatter, "postgres://{user}{host}{port}{name}")
     }

@@ -90,12 +90,12 @@ impl Store {
         &self.location
     }
 
-    /// Stores a new class.
+    /// Stores a new class. `is_first`: does nothing if there is one.
     ///
     /// # Errors
     /// The store cannot be written.
-    pub async fn add_class(&self, class: ClassRow) -> Result<(), Fault> {
-        of!(self, add_class(class))
+    pub async fn add_class(&self, class: ClassRow, is_first: bool) -> Result<(), Fault> {
+        of!(self, add_class(class, is_first))
     }
 
     /// Stores a seat under the next number, which no seat of the class has ever had, and the hash of its first token.

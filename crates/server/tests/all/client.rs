@@ -52,10 +52,7 @@ impl Running {
         let (server, class, address) = runtime.block_on(async {
             let store = Store::open(store).await.unwrap();
             let classes = Classes::open(store, Language::English, now()).await.unwrap();
-            let class = match classes.latest() {
-                Some(class) => class,
-                None => classes.begin("Tubes", 30, now()).await.unwrap(),
-            };
+            let class = classes.latest_or_begin("Tubes", 30, now()).await.unwrap();
             let pages = Pages::new(documents(), &documents()[0].html, POLICY, Language::English);
             let server = Server::new(classes, pages, place);
             let listener = tokio::net::TcpListener::bind(address).await.unwrap();

@@ -31,8 +31,9 @@ impl Stream {
         (stream, head.to_lowercase())
     }
 
-    /// The next message; `None` at the end.
+    /// The next message; `None` at the end. Fails if none comes for half a minute.
     pub fn next(&mut self) -> Option<Value> {
+        let mut comments = 0;
         loop {
             let mut line = String::new();
             if self.0.read_line(&mut line).unwrap() == 0 {
@@ -41,6 +42,8 @@ impl Stream {
             if let Some(data) = line.strip_prefix("data: ") {
                 return Some(serde_json::from_str(data).unwrap());
             }
+            comments += u32::from(line.starts_with(':'));
+            assert!(comments < 3, "the stream is silent");
         }
     }
 }

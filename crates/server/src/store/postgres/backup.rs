@@ -25,8 +25,16 @@ const TABLES: [(&str, &[Type]); 6] = [
     ("erased", &[Type::TEXT, Type::INT8]),
 ];
 
-/// Copies all rows, as of one moment, into a new file.
+/// Copies all rows, as of one moment, into a new file. Nothing stays of a file that did not become whole.
 pub async fn back_up(config: &Config, to: &Path) -> Result<(), Fault> {
+    let result = copy_out(config, to).await;
+    if result.is_err() {
+        let _ = std::fs::remove_file(to);
+    }
+    result
+}
+
+async fn copy_out(config: &Config, to: &Path) -> Result<(), Fault> {
     let session = Line::new(&configured(config), None).session().await?;
     schema::prepare(&session, false).await?;
     let client = session.client();

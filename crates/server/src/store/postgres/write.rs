@@ -19,8 +19,9 @@ fn only(rows: Vec<Row>) -> Result<Row, Fault> {
 }
 
 const ADD_CLASS: &str = "
-WITH new AS (INSERT INTO class VALUES($1, $2, $3, $4, $5, $6))
-INSERT INTO change(class, seat) VALUES($1, 0)";
+WITH new AS (INSERT INTO class
+    SELECT $1::text, $2::text, $3::text, $4::text, $5::bigint, $6::bigint WHERE NOT ($7 AND EXISTS (SELECT FROM class)) RETURNING class)
+INSERT INTO change(class, seat) SELECT class, 0 FROM new";
 
 const ADD_SEAT: &str = "
 WITH next AS (SELECT 1 + greatest(0, (SELECT max(seat) FROM seat WHERE class = $1),
@@ -89,10 +90,11 @@ INSERT INTO change(class, seat) VALUES($1, 0)";
 const NOTE_ERASED: &str = "INSERT INTO erased VALUES($1, 0) ON CONFLICT DO NOTHING";
 
 impl Postgres {
-    pub async fn add_class(&self, class: ClassRow) -> Result<(), Fault> {
+    pub async fn add_class(&self, class: ClassRow, is_first: bool) -> Result<(), Fault> {
         let ClassRow { class, code, title, survey, created, expires } = class;
         let texts = [class, code, title, survey].into_iter().map(given);
-        let values = texts.chain([created, expires].into_iter().map(|time| given(signed(time)))).collect();
+        let times = [created, expires].into_iter().map(|time| given(signed(time)));
+        let values = texts.chain(times).chain([given(is_first)]).collect();
         self.change(ADD_CLASS, values).await?;
         Ok(())
     }

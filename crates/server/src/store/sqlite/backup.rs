@@ -40,7 +40,7 @@ pub fn restore(from: &Path, into: &Path, now: u64) -> Result<u64, Fault> {
 /// A store that exists.
 pub fn existing(path: &Path) -> Result<Connection, Fault> {
     if !path.exists() {
-        return Err(Fault::NoFile);
+        return Err(Fault::NoStore(std::io::Error::from(std::io::ErrorKind::NotFound).to_string()));
     }
     let store = connection(path)?;
     schema::prepare(&store)?;

@@ -25,17 +25,18 @@ fn unsigned(row: &Row<'_>, column: usize) -> rusqlite::Result<u64> {
 }
 
 impl Sqlite {
-    pub async fn add_class(&self, class: ClassRow) -> Result<(), Fault> {
+    pub async fn add_class(&self, class: ClassRow, is_first: bool) -> Result<(), Fault> {
         self.change(move |connection| {
             connection.execute(
-                "INSERT INTO class VALUES(?,?,?,?,?,?)",
+                "INSERT INTO class SELECT ?1,?2,?3,?4,?5,?6 WHERE NOT (?7 AND EXISTS (SELECT 1 FROM class))",
                 params![
                     class.class,
                     class.code,
                     class.title,
                     class.survey,
                     signed(class.created),
-                    signed(class.expires)
+                    signed(class.expires),
+                    is_first
                 ],
             )?;
             Ok(())

@@ -21,7 +21,7 @@ async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
         created: 0,
         expires: 1,
     };
-    store.add_class(class).await.unwrap();
+    store.add_class(class, false).await.unwrap();
     let seat = NewSeat { pseudonym: "a".to_owned(), key: [0; 32], approved: true };
     store.add_seat("c".to_owned(), seat, [1; 32], 9).await.unwrap();
     // SQLite answers with the same error as on a full disk.

@@ -60,9 +60,7 @@ impl From<Fault> for Refusal {
             Fault::Away(_) => refuse(StatusCode::SERVICE_UNAVAILABLE, "store"),
             Fault::Unwritable(_) | Fault::NoStore(_) => refuse(StatusCode::INSUFFICIENT_STORAGE, "store"),
             // Faults of the command line.
-            Fault::NoFile | Fault::Exists | Fault::Address | Fault::Unencrypted => {
-                refuse(StatusCode::INTERNAL_SERVER_ERROR, "store")
-            }
+            Fault::NoFile | Fault::Exists | Fault::Address => refuse(StatusCode::INTERNAL_SERVER_ERROR, "store"),
             Fault::Ending => refuse(StatusCode::SERVICE_UNAVAILABLE, "ending"),
         }
     }

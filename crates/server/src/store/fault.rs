@@ -16,8 +16,6 @@ pub enum Fault {
     Exists,
     /// The address of a database cannot be read.
     Address,
-    /// The address of a database asks for encryption.
-    Unencrypted,
     /// The file is no store, or one of a later version.
     NoStore(String),
     /// Another event has this number already. Holds the highest number of the seat.
@@ -39,7 +37,6 @@ impl Fault {
             Self::NoFile => words("does not exist; `--store` names the file"),
             Self::Exists => words("exists already"),
             Self::Address => words("is no address of a database; for example `--store postgres://USER@HOST/DATABASE`"),
-            Self::Unencrypted => words("asks for an encrypted connection, which this program does not have"),
             Self::NoStore(why) => words!("is no store of classes: {}", why),
             Self::Taken(_) => words("has another event of this number"),
             Self::SeatFull => words("has no more room for this seat"),

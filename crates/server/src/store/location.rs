@@ -4,7 +4,7 @@ use super::fault::Fault;
 use std::fmt;
 use std::path::{Path, PathBuf};
 use tokio_postgres::Config;
-use tokio_postgres::config::{Host, SslMode};
+use tokio_postgres::config::Host;
 
 /// Port of Postgres if an address names none.
 const PORT: u16 = 5432;
@@ -22,8 +22,7 @@ impl Location {
     /// Reads a file name or `postgres://USER:PASSWORD@HOST/DATABASE`. `password`: used if the address has none.
     ///
     /// # Errors
-    /// The address of a database has a mistake, or asks for something that this program does not have. Its text is not repeated,
-    /// because it may contain a password.
+    /// The address of a database has a mistake. Its text is not repeated, because it may contain a password.
     pub fn read(text: &str, password: Option<&str>) -> Result<Self, Fault> {
         if !["postgres://", "postgresql://"].iter().any(|scheme| text.starts_with(scheme)) {
             return Ok(Self::File(text.into()));
@@ -31,9 +30,6 @@ impl Location {
         let mut config: Config = text.parse().map_err(|_| Fault::Address)?;
         if config.get_hosts().is_empty() {
             return Err(Fault::Address);
-        }
-        if config.get_ssl_mode() == SslMode::Require {
-            return Err(Fault::Unencrypted);
         }
         if let Some(password) = password.filter(|_| config.get_password().is_none()) {
             config.password(password);

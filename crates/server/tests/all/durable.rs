@@ -29,10 +29,11 @@ fn child() {
 }
 
 #[allow(clippy::zombie_processes, reason = "its callers wait for it; a child without a first line fails the test")]
-pub fn start(storage: &Storage) -> (Child, SocketAddr, String) {
+pub fn start_with(storage: &Storage, environment: &[(&str, &str)]) -> (Child, SocketAddr, String) {
     let mut child = Command::new(std::env::current_exe().unwrap())
         .args(["--ignored", "--exact", "--nocapture", "durable::child"])
         .env(STORE, &storage.address)
+        .envs(environment.iter().copied())
         .stdout(Stdio::piped())
         .spawn()
         .unwrap();
@@ -42,6 +43,10 @@ pub fn start(storage: &Storage) -> (Child, SocketAddr, String) {
         }
     }
     panic!("the child has ended");
+}
+
+pub fn start(storage: &Storage) -> (Child, SocketAddr, String) {
+    start_with(storage, &[])
 }
 
 /// Sends a body; `None` if the server does not answer.

@@ -9,7 +9,6 @@ cases!(
     a_hand_in_of_a_student_reaches_the_teacher,
     a_student_sees_downloads_and_erases_what_is_stored,
     another_device_takes_the_same_seat_and_numbers_do_not_collide,
-    the_file_for_a_class_connects_to_its_server_alone,
     survey_answers_have_neither_seat_nor_order,
 );
 
@@ -67,7 +66,9 @@ fn another_device_takes_the_same_seat_and_numbers_do_not_collide(storage: &Stora
     assert!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).body.contains("\"typed\":\"9\""));
 }
 
-fn the_file_for_a_class_connects_to_its_server_alone(storage: &Storage) {
+#[test]
+fn the_file_for_a_class_connects_to_its_server_alone() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let token = running.join()["token"].as_str().unwrap().to_owned();
     let file = running.get("/api/file/tube.md", &token);

@@ -10,18 +10,14 @@ use std::net::TcpStream;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 cases!(
-    wrong_codes_are_limited_and_right_ones_are_not,
     two_thousand_students_join_from_one_address,
-    other_hosts_are_refused,
     tokens_open_their_own_class_and_seat_alone,
     the_link_of_the_teacher_works_once,
-    bodies_are_bounded,
-    a_client_that_sends_nothing_keeps_nobody_waiting,
-    no_answer_sets_a_cookie_and_other_origins_need_a_token,
-    scripts_in_the_names_of_documents_stay_texts,
 );
 
-fn wrong_codes_are_limited_and_right_ones_are_not(storage: &Storage) {
+#[test]
+fn wrong_codes_are_limited_and_right_ones_are_not() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let wrong = || running.post("/api/join", "", &json!({ "code": "22222I" })).why();
     for _ in 0..20 {
@@ -56,7 +52,9 @@ fn two_thousand_students_join_from_one_address(storage: &Storage) {
     assert_eq!(names.len(), 2000);
 }
 
-fn other_hosts_are_refused(storage: &Storage) {
+#[test]
+fn other_hosts_are_refused() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let asked = |host: &str| send(running.address, "GET", "/", &[("Host", host)], "").status;
     for host in ["127.0.0.1:4250", "localhost", "192.168.1.5:4250", "[::1]:4250", "class.example", "CLASS.example:443"]
@@ -130,7 +128,9 @@ fn own_address() -> Option<std::net::IpAddr> {
     Some(socket.local_addr().ok()?.ip()).filter(|address| !address.is_loopback() && !address.is_unspecified())
 }
 
-fn bodies_are_bounded(storage: &Storage) {
+#[test]
+fn bodies_are_bounded() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let token = running.join()["token"].as_str().unwrap().to_owned();
     let claim = |length: &str| {
@@ -173,7 +173,9 @@ fn bodies_are_bounded(storage: &Storage) {
     assert_eq!(status, 413);
 }
 
-fn a_client_that_sends_nothing_keeps_nobody_waiting(storage: &Storage) {
+#[test]
+fn a_client_that_sends_nothing_keeps_nobody_waiting() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let _silent: Vec<TcpStream> = (0..200)
         .map(|_| {
@@ -186,7 +188,9 @@ fn a_client_that_sends_nothing_keeps_nobody_waiting(storage: &Storage) {
     running.join();
 }
 
-fn no_answer_sets_a_cookie_and_other_origins_need_a_token(storage: &Storage) {
+#[test]
+fn no_answer_sets_a_cookie_and_other_origins_need_a_token() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let joined = running.join();
     let token = joined["token"].as_str().unwrap();
@@ -223,7 +227,9 @@ fn no_answer_sets_a_cookie_and_other_origins_need_a_token(storage: &Storage) {
     assert!(!foreign.head.contains("access-control-allow"), "{}", foreign.head);
 }
 
-fn scripts_in_the_names_of_documents_stay_texts(storage: &Storage) {
+#[test]
+fn scripts_in_the_names_of_documents_stay_texts() {
+    let storage = Storage::file();
     let running = Running::start(&storage.location);
     let page = running.get("/d/tube.md", "").body;
     let start = page.find("id=\"class-config\">").unwrap();

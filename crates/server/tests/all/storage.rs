@@ -66,8 +66,7 @@ impl Storage {
 
     /// A new database.
     pub fn database() -> Self {
-        static SERVER: OnceLock<Cluster> = OnceLock::new();
-        Self::in_cluster(SERVER.get_or_init(Cluster::start))
+        Self::in_cluster(Cluster::shared())
     }
 
     /// A new database in this Postgres.
@@ -77,6 +76,14 @@ impl Storage {
         cluster.sql("postgres", &format!("CREATE DATABASE {name} ENCODING 'UTF8' TEMPLATE template0"));
         let address = cluster.address(&name);
         Self { location: Location::read(&address, None).unwrap(), address, folder: tempfile::tempdir().unwrap() }
+    }
+
+    /// Name of the database.
+    pub fn name(&self) -> &str {
+        match &self.location {
+            Location::Database(config) => config.get_dbname().unwrap(),
+            Location::File(path) => panic!("{} is no database", path.display()),
+        }
     }
 
     /// Another place of the same kind.
@@ -142,6 +149,8 @@ bin="$1" folder="$2" port="$3"
 as() { if [ "$(id -u)" = 0 ]; then setpriv --reuid=postgres --regid=postgres --clear-groups "$@"; else "$@"; fi; }
 [ "$(id -u)" != 0 ] || chown -R postgres: "$folder"
 as "$bin/initdb" --no-sync --encoding=UTF8 --locale=C --username=postgres --auth=scram-sha-256 --pwfile="$folder/password" "$folder/data" >"$folder/made" 2>&1 || exit 1
+chmod 600 "$folder/key.pem"
+printf "ssl=on\nssl_cert_file='$folder/cert.pem'\nssl_key_file='$folder/key.pem'\n" >>"$folder/data/postgresql.conf"
 printf "listen_addresses='127.0.0.1'\nport=$port\nunix_socket_directories=''\nmax_connections=200\n" >>"$folder/data/postgresql.conf"
 as "$bin/pg_ctl" --pgdata="$folder/data" --log="$folder/log" --wait start >/dev/null || exit 1
 echo ready
@@ -162,10 +171,20 @@ fn program(name: &str) -> PathBuf {
 }
 
 impl Cluster {
+    /// The Postgres of all tests that do not stop it.
+    pub fn shared() -> &'static Self {
+        static SHARED: OnceLock<Cluster> = OnceLock::new();
+        SHARED.get_or_init(Cluster::start)
+    }
+
     #[allow(clippy::zombie_processes, reason = "the shell ends after this program")]
     pub fn start() -> Self {
         let folder = tempfile::tempdir().unwrap().keep();
         std::fs::write(folder.join("password"), PASSWORD).unwrap();
+        for name in ["cert.pem", "key.pem"] {
+            let own = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/all/tls-");
+            std::fs::copy(format!("{own}{name}"), folder.join(name)).unwrap();
+        }
         let port = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
         let programs = program("initdb");
         let mut shell = Command::new("sh")
@@ -215,19 +234,11 @@ impl Cluster {
         String::from_utf8(output.stdout).unwrap()
     }
 
-    /// True if the bytes are in a file of a table.
-    pub fn files_hold(&self, text: &str) -> bool {
-        let mut folders = vec![self.folder.join("data").join("base")];
-        while let Some(folder) = folders.pop() {
-            for entry in std::fs::read_dir(folder).unwrap() {
-                let path = entry.unwrap().path();
-                if path.is_dir() {
-                    folders.push(path);
-                } else if holds(&path, text) {
-                    return true;
-                }
-            }
-        }
-        false
+    /// True if the bytes are in a file of a database.
+    pub fn files_hold(&self, name: &str, text: &str) -> bool {
+        self.sql("postgres", "CHECKPOINT");
+        let folder = self.sql(name, "SELECT oid FROM pg_database WHERE datname = current_database()");
+        let folder = self.folder.join("data").join("base").join(folder.trim());
+        std::fs::read_dir(folder).unwrap().any(|entry| holds(&entry.unwrap().path(), text))
     }
 }

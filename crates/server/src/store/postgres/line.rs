@@ -2,17 +2,21 @@
 
 use super::super::fault::Fault;
 use super::schema;
+use super::tls::encryption;
 use futures_util::future::poll_fn;
 use std::collections::HashMap;
 use std::error::Error as _;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::runtime::Handle;
 use tokio::sync::Notify;
 use tokio::time::timeout;
 use tokio_postgres::types::ToSql;
-use tokio_postgres::{AsyncMessage, Client, Config, Error, NoTls, Row, SimpleQueryMessage, Statement};
+use tokio_postgres::{
+    AsyncMessage, Client, Config, Connection, Error, NoTls, Row, SimpleQueryMessage, Socket, Statement,
+};
 
 /// Maximum time for an answer of the database.
 pub const ANSWER: Duration = Duration::from_secs(30);
@@ -113,7 +117,7 @@ impl Line {
         let connecting = connect(self.config.clone(), self.told.clone());
         let made = timeout(ANSWER, self.runtime.spawn(connecting)).await;
         let made = match made {
-            Ok(Ok(made)) => made.map_err(|error| fault(&error)),
+            Ok(Ok(made)) => made,
             Ok(Err(_)) => Err(Fault::Ending),
             Err(_) => Err(late()),
         };
@@ -146,26 +150,43 @@ pub fn late() -> Fault {
     Fault::Away(std::io::Error::from(std::io::ErrorKind::TimedOut).to_string())
 }
 
-async fn connect(config: Config, told: Option<Arc<Notify>>) -> Result<Session, Error> {
-    let (client, mut connection) = config.connect(NoTls).await?;
-    let listener = told.clone();
-    tokio::spawn(async move {
-        while let Some(Ok(message)) = poll_fn(|context| connection.poll_message(context)).await {
-            if let (AsyncMessage::Notification(_), Some(told)) = (message, &listener) {
-                told.notify_one();
-            }
+async fn connect(config: Config, told: Option<Arc<Notify>>) -> Result<Session, Fault> {
+    let fails = |error: Error| fault(&error);
+    let encryption = encryption(&config).map_err(|error| Fault::Away(error.to_string()))?;
+    let client = match encryption {
+        None => {
+            let (client, connection) = config.connect(NoTls).await.map_err(fails)?;
+            tokio::spawn(drive(connection, told.clone()));
+            client
         }
-        drop(connection);
-        if let Some(told) = listener {
-            told.notify_one();
+        Some(encryption) => {
+            let (client, connection) = config.connect(encryption).await.map_err(fails)?;
+            tokio::spawn(drive(connection, told.clone()));
+            client
         }
-    });
+    };
     if let Some(told) = told {
-        client.batch_execute("LISTEN meniscus").await?;
+        client.batch_execute("LISTEN meniscus").await.map_err(fails)?;
         // What was said before is not heard.
         told.notify_one();
     }
     Ok(Session { client, statements: Mutex::default() })
+}
+
+/// Works on a connection until it is lost.
+async fn drive<S>(mut connection: Connection<Socket, S>, told: Option<Arc<Notify>>)
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    while let Some(Ok(message)) = poll_fn(|context| connection.poll_message(context)).await {
+        if let (AsyncMessage::Notification(_), Some(told)) = (message, &told) {
+            told.notify_one();
+        }
+    }
+    drop(connection);
+    if let Some(told) = told {
+        told.notify_one();
+    }
 }
 
 /// Reason of an error. Texts of the database never contain a password.

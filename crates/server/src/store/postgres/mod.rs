@@ -9,6 +9,7 @@ mod line;
 mod news;
 mod read;
 mod schema;
+mod tls;
 mod write;
 mod writer;
 

@@ -6,7 +6,7 @@ use super::super::rows::signed;
 use super::super::sqlite;
 use super::line::{Line, configured, fault};
 use super::schema::{self, BEGIN};
-use super::write::DELETE_CLASS;
+use super::write::ERASE_CLASS;
 use futures_util::TryStreamExt;
 use futures_util::pin_mut;
 use rusqlite::types::{Value, ValueRef};
@@ -94,7 +94,7 @@ pub async fn restore(from: &Path, config: &Config, now: u64) -> Result<u64, Faul
         .map_err(fails)?;
     for class in client.query(&over(schema::NAME), &[&signed(now)]).await.map_err(fails)? {
         let class: String = class.try_get(0).map_err(fails)?;
-        client.execute(DELETE_CLASS, &[&class]).await.map_err(fails)?;
+        client.execute(ERASE_CLASS, &[&class]).await.map_err(fails)?;
     }
     client.batch_execute("SELECT pg_notify('meniscus', ''); COMMIT").await.map_err(fails)?;
     Ok(events)

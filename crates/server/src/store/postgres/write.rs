@@ -79,15 +79,12 @@ WITH gone AS (DELETE FROM seat WHERE class = $1 AND seat = $2 RETURNING seat),
   noted AS (INSERT INTO erased SELECT $1::text, seat FROM gone ON CONFLICT DO NOTHING)
 INSERT INTO change(class, seat) SELECT $1, seat FROM known RETURNING seat";
 
-/// Deletes all rows of a class.
-pub(super) const DELETE_CLASS: &str = "
-WITH events AS (DELETE FROM event WHERE class = $1), tokens AS (DELETE FROM token WHERE class = $1),
+/// Erases a class. Seat 0 stands for it.
+pub(super) const ERASE_CLASS: &str = "
+WITH noted AS (INSERT INTO erased VALUES($1, 0) ON CONFLICT DO NOTHING), events AS (DELETE FROM event WHERE class = $1), tokens AS (DELETE FROM token WHERE class = $1),
   seats AS (DELETE FROM seat WHERE class = $1), sheets AS (DELETE FROM sheet WHERE class = $1),
   links AS (DELETE FROM link WHERE class = $1), classes AS (DELETE FROM class WHERE class = $1)
 INSERT INTO change(class, seat) VALUES($1, 0)";
-
-/// Seat 0 stands for the class.
-const NOTE_ERASED: &str = "INSERT INTO erased VALUES($1, 0) ON CONFLICT DO NOTHING";
 
 impl Postgres {
     pub async fn add_class(&self, class: ClassRow, is_first: bool) -> Result<(), Fault> {
@@ -180,8 +177,7 @@ impl Postgres {
     }
 
     pub async fn erase_class(&self, class: String) -> Result<(), Fault> {
-        self.change(NOTE_ERASED, vec![given(class.clone())]).await?;
-        self.change(DELETE_CLASS, vec![given(class)]).await?;
+        self.change(ERASE_CLASS, vec![given(class)]).await?;
         self.vacuum().await
     }
 }

@@ -1,13 +1,15 @@
 //! Classes in memory: settings, seats and tokens. The store has the same; a start of the server reads it, and changes of other
 //! servers before the same store are read before each request ([`Classes::catch_up`]).
 
+mod learning;
+
 use crate::codes::{self, Hash};
 use crate::pseudonyms::pseudonym;
-use crate::store::{ClassRow, Cursor, Fault, NewSeat, News, SeatRow, Store};
+use crate::store::{ClassRow, Cursor, Fault, NewSeat, SeatRow, Store};
 use crate::time::DAY;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::watch;
 use units::Language;
@@ -252,97 +254,14 @@ impl Classes {
         Ok(classes)
     }
 
-    /// Learns what other servers have changed until the call. Of calls at the same time, one asks the store for all.
-    ///
-    /// # Errors
-    /// The store cannot be read.
-    pub async fn catch_up(&self) -> Result<(), Fault> {
-        let place = self.asked.fetch_add(1, Ordering::Relaxed) + 1;
-        let mut known = self.known.lock().await;
-        if known.1 >= place {
-            return Ok(());
-        }
-        // These calls have begun before the store is asked.
-        let asked = self.asked.load(Ordering::Relaxed);
-        let news = self.store.news(known.0).await?;
-        let cursor = news.cursor;
-        self.learn(news).await?;
-        *known = (cursor, asked);
-        Ok(())
-    }
-
-    async fn learn(&self, news: News) -> Result<(), Fault> {
-        let News { classes, erased, seats, tokens, latest, settings, .. } = news;
-        for (class, seat) in erased {
-            match seat {
-                0 => self.forget(|of, _| of.id() == class),
-                seat => self.forget(|of, own| of.id() == class && own == seat),
-            }
-        }
-        for row in classes.into_iter().filter(|row| self.find(&row.class).is_none()) {
-            self.read(row).await?;
-        }
-        for (class, seat) in seats {
-            let Some(class) = self.find(&class) else { continue };
-            locked(&self.keys).insert(seat.key, (class.clone(), seat.seat));
-            let approved = seat.approved;
-            let former = locked(&class.state).seats.insert(seat.seat, seat);
-            if former.is_some_and(|former| former.approved != approved) {
-                // Students who wait follow the settings.
-                class.settings.send_modify(|_| {});
-            }
-            class.tell_of_seats();
-        }
-        for (hash, class, seat) in tokens {
-            let Some(class) = self.find(&class) else { continue };
-            locked(&self.tokens).insert(hash, class.holder(seat));
-        }
-        for class in settings.iter().filter_map(|class| self.find(class)) {
-            let (settings, number) = self.stored_settings(class.id()).await?;
-            class.take_settings(settings, number);
-        }
-        for (class, number) in latest {
-            if let Some(class) = self.find(&class) {
-                class.tell(number);
-            }
-        }
-        Ok(())
-    }
-
     fn find(&self, class: &str) -> Option<Arc<Class>> {
         locked(&self.classes).iter().find(|own| own.id() == class).cloned()
-    }
-
-    /// Forgets seats with their tokens and keys. Seat 0 is asked for the class itself.
-    fn forget(&self, is_gone: impl Fn(&Class, u32) -> bool) {
-        locked(&self.tokens).retain(|_, holder| match holder {
-            Holder::Student(class, seat) => !is_gone(class, *seat),
-            Holder::Teacher(class) | Holder::Survey(class) => !is_gone(class, 0),
-        });
-        locked(&self.keys).retain(|_, (class, seat)| !is_gone(class, *seat));
-        locked(&self.classes).retain(|class| {
-            let before = locked(&class.state).seats.len();
-            locked(&class.state).seats.retain(|seat, _| !is_gone(class, *seat));
-            if locked(&class.state).seats.len() < before {
-                class.tell_of_seats();
-            }
-            !is_gone(class, 0)
-        });
     }
 
     async fn stored_settings(&self, class: &str) -> Result<(Settings, u64), Fault> {
         let event = self.store.latest_of_teacher(class.to_owned(), SETTINGS).await?;
         let number = event.as_ref().map_or(0, |event| event.number);
         Ok((event.and_then(|event| serde_json::from_str(&event.body).ok()).unwrap_or_default(), number))
-    }
-
-    /// Work beside the requests: learns at once what other servers change, for those who follow.
-    pub async fn follow(&self) {
-        loop {
-            self.store.changed().await;
-            // The next request or change tries again.
-            let _ = self.catch_up().await;
-        }
     }
 
     /// The store.

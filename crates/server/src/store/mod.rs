@@ -17,6 +17,7 @@ mod location;
 mod postgres;
 mod rows;
 mod sqlite;
+mod taking;
 
 pub use backup::{back_up, restore};
 pub use fault::Fault;

@@ -1,9 +1,9 @@
 //! Backups of a database as SQLite files, and restoring from them.
 
-use super::super::backup::{over, taking, taking_erased};
 use super::super::fault::Fault;
 use super::super::rows::signed;
 use super::super::sqlite;
+use super::super::taking::{over, taking, taking_erased};
 use super::line::{Line, configured, fault};
 use super::schema::{self, BEGIN};
 use super::write::ERASE_CLASS;

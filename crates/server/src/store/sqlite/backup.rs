@@ -1,8 +1,8 @@
 //! Backups of a file, and restoring into it.
 
-use super::super::backup::{over, taking, taking_erased};
 use super::super::fault::Fault;
 use super::super::rows::signed;
+use super::super::taking::{over, taking, taking_erased};
 use super::erase::erase_class;
 use super::{connection, schema};
 use rusqlite::Connection;

@@ -13,6 +13,7 @@
 
 mod backup;
 mod fault;
+mod group;
 mod location;
 mod postgres;
 mod rows;
@@ -28,12 +29,6 @@ pub use sqlite::files_beside;
 use crate::codes::Hash;
 use postgres::Postgres;
 use sqlite::Sqlite;
-
-/// Number of changes that wait at most; further ones wait before they are queued.
-const QUEUE: usize = 4096;
-
-/// Maximum number of changes in one transaction.
-const GROUP: usize = 256;
 
 /// A store; cheap to clone.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use super::super::fault::Fault;
 use super::super::rows::signed;
 use super::super::sqlite;
 use super::super::taking::{over, taking, taking_erased};
-use super::line::{Line, configured, fault};
+use super::line::{Line, NAME, configured, fault};
 use super::schema::{self, BEGIN};
 use super::write::ERASE_CLASS;
 use futures_util::TryStreamExt;
@@ -77,9 +77,9 @@ pub async fn restore(from: &Path, config: &Config, now: u64) -> Result<u64, Faul
     for (table, types) in TABLES {
         copy(&backup, client, table, types).await?;
     }
-    client.batch_execute(&taking_erased("pg_temp", schema::NAME)).await.map_err(fails)?;
+    client.batch_execute(&taking_erased("pg_temp", NAME)).await.map_err(fails)?;
     let mut events = 0;
-    for statement in taking("pg_temp", schema::NAME) {
+    for statement in taking("pg_temp", NAME) {
         events = client.execute(&statement, &[&signed(now)]).await.map_err(fails)?;
     }
     // Servers that run read all of it.
@@ -92,7 +92,7 @@ pub async fn restore(from: &Path, config: &Config, now: u64) -> Result<u64, Faul
         )
         .await
         .map_err(fails)?;
-    for class in client.query(&over(schema::NAME), &[&signed(now)]).await.map_err(fails)? {
+    for class in client.query(&over(NAME), &[&signed(now)]).await.map_err(fails)? {
         let class: String = class.try_get(0).map_err(fails)?;
         client.execute(ERASE_CLASS, &[&class]).await.map_err(fails)?;
     }

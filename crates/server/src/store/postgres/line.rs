@@ -1,7 +1,6 @@
 //! Connections that are made again when they are lost.
 
 use super::super::fault::Fault;
-use super::schema;
 use super::tls::encryption;
 use futures_util::future::poll_fn;
 use std::collections::HashMap;
@@ -17,6 +16,9 @@ use tokio_postgres::types::ToSql;
 use tokio_postgres::{
     AsyncMessage, Client, Config, Connection, Error, NoTls, Row, SimpleQueryMessage, Socket, Statement,
 };
+
+/// Name of the schema, and of the channel on which servers tell each other of changes.
+pub const NAME: &str = "meniscus";
 
 /// Maximum time for an answer of the database.
 pub const ANSWER: Duration = Duration::from_secs(30);
@@ -34,7 +36,7 @@ const SETTINGS: &str = "-c search_path=meniscus -c synchronous_commit=on -c defa
 pub fn configured(config: &Config) -> Config {
     let mut config = config.clone();
     let options = format!("{} {SETTINGS}", config.get_options().unwrap_or_default());
-    config.options(options.trim()).application_name(schema::NAME).connect_timeout(Duration::from_secs(5));
+    config.options(options.trim()).application_name(NAME).connect_timeout(Duration::from_secs(5));
     // The loss of the database's computer is noticed soon.
     config.keepalives_idle(Duration::from_secs(10)).keepalives_interval(Duration::from_secs(5)).keepalives_retries(3);
     config

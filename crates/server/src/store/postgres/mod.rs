@@ -13,9 +13,9 @@ mod tls;
 mod write;
 mod writer;
 
-use super::QUEUE;
 use super::fault::Fault;
-use line::{Line, configured, fault};
+use super::group::QUEUE;
+use line::{Line, NAME, configured, fault};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -116,5 +116,5 @@ fn number<T: TryFrom<i64> + Default>(row: &Row, column: usize) -> Result<T, Faul
 
 /// A hash.
 fn hash(row: &Row, column: usize) -> Result<[u8; 32], Fault> {
-    value::<&[u8]>(row, column)?.try_into().map_err(|_| Fault::NoStore(schema::NAME.to_owned()))
+    value::<&[u8]>(row, column)?.try_into().map_err(|_| Fault::NoStore(NAME.to_owned()))
 }

@@ -1,13 +1,10 @@
 //! Tables of the store, in a schema of their own.
 
 use super::super::fault::Fault;
-use super::line::{Session, fault};
+use super::line::{NAME, Session, fault};
 
 /// Version of the tables, in `store`.
 const VERSION: i64 = 1;
-
-/// Name of the schema, and of the channel on which servers tell each other of changes.
-pub const NAME: &str = "meniscus";
 
 /// The tables of a SQLite file (`sqlite/schema.rs`) with the same columns, and three more: `store` has the version, `link` the
 /// hashes of the teachers' one-time links, and `change` names each class (seat 0) or seat of which something other than events has

@@ -1,7 +1,7 @@
 //! The task that writes: group commit.
 
-use super::super::GROUP;
 use super::super::fault::Fault;
+use super::super::group::GROUP;
 use super::line::{ANSWER, Line, Session, fault, is_own, late};
 use super::schema::BEGIN;
 use futures_util::future::try_join_all;

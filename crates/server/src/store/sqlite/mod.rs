@@ -9,8 +9,8 @@ mod rows;
 mod schema;
 mod writer;
 
-use super::QUEUE;
 use super::fault::Fault;
+use super::group::QUEUE;
 use crate::codes::Hash;
 use rusqlite::{Connection, OpenFlags};
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! The thread that writes: group commit.
 
-use super::super::GROUP;
 use super::super::fault::Fault;
+use super::super::group::GROUP;
 use rusqlite::Connection;
 use tokio::sync::{mpsc, oneshot};
 

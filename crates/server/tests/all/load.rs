@@ -1,4 +1,4 @@
-//! Load, with the client on the same machine: `cargo test --release -p server --test all load -- --ignored --nocapture --test-threads 1`
+//! Load, with the client on the same machine: `cargo test --release -p server --test all load:: -- --ignored --nocapture --test-threads 1`
 //!
 //! Durations are printed and not checked.
 

@@ -31,8 +31,6 @@ pub struct Entry {
     state: State,
     /// The measured columns of a hand-in that counts, in the form in which copies are found.
     columns: Vec<Curve>,
-    /// A later form of the file has arrived.
-    is_outdated: bool,
 }
 
 /// State of a file.
@@ -42,8 +40,8 @@ pub enum State {
     Unreadable(Words),
     /// The hand-in of this index was made later by the same sender and counts.
     Repeated(usize),
-    /// It will be computed again.
-    Waiting,
+    /// It will be computed again. Until then the work of its former form counts, if it has one.
+    Waiting(Option<Box<Work>>),
     /// It was computed again.
     Done(Box<Work>),
 }
@@ -70,10 +68,10 @@ impl Entry {
         &self.state
     }
 
-    /// The computed work of a hand-in that counts.
+    /// The last computed work of a hand-in that counts.
     pub fn work(&self) -> Option<&Work> {
         match &self.state {
-            State::Done(work) => Some(work),
+            State::Done(work) | State::Waiting(Some(work)) => Some(work),
             _ => None,
         }
     }
@@ -98,6 +96,8 @@ pub struct Collection {
     step: Option<Step>,
     /// Hand-ins that are computed elsewhere.
     ordered: BTreeSet<usize>,
+    /// Hand-ins of which a former form is being computed, here or elsewhere.
+    superseded: BTreeSet<usize>,
     /// Documents opened for earlier hand-ins.
     documents: OpenedDocuments,
     /// Computed hand-ins whose data are still to be compared.
@@ -116,6 +116,7 @@ impl Collection {
             entries: Vec::new(),
             step: None,
             ordered: BTreeSet::new(),
+            superseded: BTreeSet::new(),
             documents: OpenedDocuments::default(),
             uncompared: VecDeque::new(),
             copies: Vec::new(),
@@ -143,7 +144,7 @@ impl Collection {
     /// one added last. Reports have no sender, and each counts.
     pub fn add(&mut self, file: &str, content: Result<HandIn, HandInError>) {
         let index = self.entries.len();
-        let mut state = State::Waiting;
+        let mut state = State::Waiting(None);
         match &content {
             Err(error) => state = State::Unreadable(error.words()),
             Ok(hand_in) => {
@@ -157,7 +158,7 @@ impl Collection {
                 }
             }
         }
-        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new(), is_outdated: false });
+        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new() });
     }
 
     /// Index of the hand-in of the same sender that counts so far.
@@ -203,9 +204,14 @@ impl Collection {
         self.entries.get(hand_in)?.work()?.answers.get(answer)
     }
 
+    /// Number of hand-ins whose last form is computed.
+    pub fn computed(&self) -> usize {
+        self.entries.iter().filter(|entry| matches!(entry.state, State::Done(_))).count()
+    }
+
     /// Number of hand-ins that are still to be computed.
     pub fn waiting(&self) -> usize {
-        self.entries.iter().filter(|entry| matches!(entry.state, State::Waiting)).count()
+        self.entries.iter().filter(|entry| matches!(entry.state, State::Waiting(_))).count()
     }
 
     /// Number of computed hand-ins whose data are still to be compared with those of others.
@@ -250,7 +256,7 @@ impl Collection {
     }
 
     fn is_waiting(&self, index: usize) -> bool {
-        self.entries.get(index).is_some_and(|entry| matches!(entry.state, State::Waiting))
+        self.entries.get(index).is_some_and(|entry| matches!(entry.state, State::Waiting(_)))
     }
 
     /// Opens the next hand-in. Returns false if there is none.
@@ -287,7 +293,7 @@ impl Collection {
 
     /// The computation of the hand-in of this index has stopped because of a fault of the program.
     pub fn fail(&mut self, index: usize) {
-        if self.ordered.remove(&index) && self.is_waiting(index) {
+        if self.ordered.remove(&index) && !self.superseded.remove(&index) && self.is_waiting(index) {
             self.entries[index].state = State::Unreadable(words(
                 "its computation has stopped because of a fault in the program; verify it alone",
             ));
@@ -298,6 +304,7 @@ impl Collection {
     /// Takes the order of a hand-in back.
     pub fn take_back(&mut self, index: usize) {
         self.ordered.remove(&index);
+        self.superseded.remove(&index);
     }
 
     /// Reads the columns of the next hand-in to be compared. Returns false if there is none.
@@ -313,15 +320,26 @@ impl Collection {
     }
 
     fn finish(&mut self, index: usize, computed: Option<Computed>) {
+        let is_former = self.superseded.remove(&index);
         let entry = &mut self.entries[index];
         let Ok(hand_in) = &entry.content else { return };
         entry.state = match computed {
+            None if is_former => return,
             Some(mut computed) => {
                 take_curves(&mut self.theories, index, std::mem::take(&mut computed.theories));
-                State::Done(Box::new(computed.work_of(hand_in, &self.program)))
+                let work = Box::new(computed.work_of(hand_in, &self.program));
+                if is_former {
+                    entry.state = State::Waiting(Some(work));
+                    return;
+                }
+                State::Done(work)
             }
             None => State::Unreadable(document_has_errors()),
         };
+        // A former form may have been compared.
+        entry.columns.clear();
+        self.copies.retain(|copied| copied.one.0 != index && copied.other.0 != index);
+        self.uncompared.retain(|other| *other != index);
         self.uncompared.push_back(index);
     }
 

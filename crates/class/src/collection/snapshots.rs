@@ -57,12 +57,12 @@ impl Snapshots {
         }
     }
 
-    /// Removes the snapshots of hand-ins that do not count any more.
+    /// Removes the snapshots of work that does not count any more.
     pub fn retain(&mut self, collection: &Collection) {
-        let counts = |snapshot: &Snapshot| {
-            collection.entries().get(snapshot.hand_in()).is_some_and(|entry| entry.work().is_some())
-        };
-        self.list.retain(counts);
+        self.list.retain(|snapshot| match *snapshot {
+            Snapshot::Curve(member) => collection.curve(member).is_some(),
+            Snapshot::Answer { hand_in, answer } => collection.answer(hand_in, answer).is_some(),
+        });
     }
 
     /// Name of each snapshot for a view without names: `A`, `B` .. for each group in the order of its first snapshot, from the

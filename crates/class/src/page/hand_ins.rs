@@ -13,7 +13,7 @@ pub fn hand_ins(collection: &Collection, language: Language) -> String {
     let mut page = Page::default();
     let headings = language.say_all(["#Group", "Name", "#Seat", "File", "Verification"]);
     page.table("wide", &headings);
-    for (index, entry) in collection.listed() {
+    for (index, entry) in collection.entries().iter().enumerate() {
         let seat = entry.hand_in().and_then(|hand_in| hand_in.sender.seat);
         let number = format!("#{}", index + 1);
         let seat = format!("#{}", seat.map_or_else(String::new, |seat| seat.to_string()));
@@ -31,7 +31,7 @@ pub fn hand_ins(collection: &Collection, language: Language) -> String {
 /// Lines about the state of a file: one for its verification, and one for each value that does not follow.
 pub fn state_lines(entry: &Entry, collection: &Collection, language: Language) -> Vec<String> {
     match entry.state() {
-        State::Waiting => vec![language.say("is being computed").to_owned()],
+        State::Waiting(_) => vec![language.say("is being computed").to_owned()],
         State::Unreadable(why) => vec![why.text(language).into_owned()],
         State::Repeated(counts) => {
             let other = collection.entries().get(*counts).map_or("", Entry::file);

@@ -1,12 +1,13 @@
 //! Sentences about the computation of a class.
 
-use crate::collection::Collection;
+use crate::collection::{Collection, State};
 use units::{Language, say};
 
 /// Number of groups, of hand-ins that are still to be computed, and of files that do not count.
 pub fn count_text(collection: &Collection, language: Language) -> String {
     let (groups, waiting) = (collection.works().count(), collection.waiting());
-    let more = collection.listed().count() - groups - waiting;
+    let counts_not = |state: &State| matches!(state, State::Repeated(_) | State::Unreadable(_));
+    let more = collection.entries().iter().filter(|entry| counts_not(entry.state())).count();
     let mut text = say!(language, "{groups} groups");
     if waiting > 0 {
         text += &say!(language, ", {waiting} still to be computed");
@@ -24,7 +25,7 @@ pub fn count_text(collection: &Collection, language: Language) -> String {
 
 /// Sentence about the computation while hand-ins are still to be computed: how many are done.
 pub fn progress_text(collection: &Collection, language: Language) -> Option<String> {
-    let (done, waiting) = (collection.works().count(), collection.waiting());
+    let (done, waiting) = (collection.computed(), collection.waiting());
     let all = done + waiting;
     let text = || say!(language, "Being computed: {done} of {all} hand-ins are done.");
     (waiting > 0).then(text)

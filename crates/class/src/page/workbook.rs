@@ -83,7 +83,7 @@ fn answers(collection: &Collection, language: Language) -> Sheet {
 
 fn hand_ins(collection: &Collection, language: Language) -> Sheet {
     let mut rows = vec![head(language.say_all(["Group", "Seat", "File", "Verification"]))];
-    for (_, entry) in collection.listed() {
+    for entry in collection.entries() {
         let seat = entry.hand_in().and_then(|hand_in| hand_in.sender.seat);
         let mut row = vec![
             entry.sender().into(),

@@ -5,7 +5,7 @@ use class::collection::{Calculator, Collection, Entry, Snapshot, Snapshots, Stat
 use class::page::{count_text, html, progress_text, stuck, workbook};
 use class::verify::hand_in;
 use desk::play::Grade;
-use saved::hand_in::{HandIn, HandInError, Sender};
+use saved::hand_in::{Fact, HandIn, HandInError, Sender};
 use units::Language;
 
 fn of(name: &str, rows: &[(f64, f64)], answers: &[&str]) -> HandIn {
@@ -254,11 +254,60 @@ fn a_later_form_of_a_file_replaces_the_former_one_in_a_lesson() {
     for hand_in in [&early, &late, &late] {
         collection.update("fox.hand-in", HandIn::read(&hand_in.write()));
         while collection.advance() {}
-        assert_eq!((collection.listed().count(), collection.works().count()), (1, 1));
+        assert_eq!((collection.entries().len(), collection.works().count()), (1, 1));
     }
-    let (_, shown) = collection.listed().next().unwrap();
-    assert_eq!(shown.hand_in(), Some(&late));
-    // A replaced hand-in holds nothing, and is a copy of nothing.
-    assert!(collection.entries()[0].hand_in().unwrap().work.items.is_empty());
-    assert!(collection.copies().is_empty());
+    assert_eq!(collection.entries()[0].hand_in(), Some(&late));
+    assert!(collection.copies().is_empty(), "a former form is no copy");
+}
+
+/// The fitted values of the only hand-in.
+fn facts(collection: &Collection) -> Vec<Fact> {
+    let mut works = collection.works();
+    let facts = works.next().unwrap().1.facts.clone();
+    assert!(works.next().is_none());
+    facts
+}
+
+#[test]
+fn a_group_keeps_its_last_state_until_the_new_one_is_computed() {
+    let forms: Vec<HandIn> = (1..5).map(|seed| handed(&measured(seed), "fox")).collect();
+    let read = |form: usize| HandIn::read(&forms[form].write());
+    let alone = |form: usize| {
+        let mut collection = Collection::new(VERSION, Language::English);
+        collection.add("fox.hand-in", read(form));
+        while collection.advance() {}
+        facts(&collection)
+    };
+    let expected: Vec<Vec<Fact>> = (0..forms.len()).map(alone).collect();
+    let mut collection = Collection::new(VERSION, Language::English);
+    collection.update("fox.hand-in", read(0));
+    while collection.advance() {}
+
+    // Here: a form that arrives while the one before is computed.
+    collection.update("fox.hand-in", read(1));
+    assert_eq!((facts(&collection), collection.waiting(), collection.computed()), (expected[0].clone(), 1, 0));
+    collection.advance();
+    collection.update("fox.hand-in", read(2));
+    let mut seen = vec![facts(&collection)];
+    while collection.advance() {
+        let now = facts(&collection);
+        if seen.last() != Some(&now) {
+            seen.push(now);
+        }
+    }
+    assert_eq!(seen, expected[..3]);
+    assert_eq!((collection.waiting(), collection.computed()), (0, 1));
+
+    // Elsewhere: the answer for a form that is superseded is shown, and the last form is ordered.
+    collection.update("fox.hand-in", read(1));
+    let mut calculator = Calculator::default();
+    let (index, order) = collection.order().unwrap();
+    collection.update("fox.hand-in", read(3));
+    assert!(collection.order().is_none(), "one order at a time");
+    collection.deliver(index, calculator.compute(&order));
+    assert_eq!((facts(&collection), collection.waiting()), (expected[1].clone(), 1));
+    let (index, order) = collection.order().unwrap();
+    collection.deliver(index, calculator.compute(&order));
+    while collection.advance() {}
+    assert_eq!((facts(&collection), collection.waiting()), (expected[3].clone(), 0));
 }

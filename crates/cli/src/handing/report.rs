@@ -13,7 +13,7 @@ pub fn holds(class: &Collection) -> bool {
     let holds = |entry: &Entry| match entry.state() {
         State::Done(work) => work.verdict.holds(),
         State::Repeated(_) => true,
-        State::Unreadable(_) | State::Waiting => false,
+        State::Unreadable(_) | State::Waiting(_) => false,
     };
     class.entries().iter().all(holds) && class.copies().iter().all(|copied| copied.is_common_source)
 }
@@ -36,8 +36,8 @@ pub fn text(class: &Collection, language: Language) -> String {
         text += &match entry.state() {
             State::Unreadable(_) => format!("{file} {lines}\n"),
             State::Repeated(_) => format!("{file} ({sender}) {lines}\n"),
-            State::Done(_) | State::Waiting if sender.is_empty() => format!("{file}: {lines}\n"),
-            State::Done(_) | State::Waiting => format!("{file} ({sender}): {lines}\n"),
+            State::Done(_) | State::Waiting(_) if sender.is_empty() => format!("{file}: {lines}\n"),
+            State::Done(_) | State::Waiting(_) => format!("{file} ({sender}): {lines}\n"),
         };
     }
     for copied in class.copies() {
@@ -54,7 +54,7 @@ pub fn json(class: &Collection, language: Language) -> String {
         match entry.state() {
             State::Unreadable(why) => json!({"file": name, "unreadable": why.text(language)}),
             State::Repeated(counts) => json!({"file": name, "sender": sender, "repeated_by": file(class, *counts)}),
-            State::Waiting => json!({"file": name, "sender": sender}),
+            State::Waiting(_) => json!({"file": name, "sender": sender}),
             State::Done(work) => json!({
                 "file": name,
                 "sender": sender,

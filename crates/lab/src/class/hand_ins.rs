@@ -30,7 +30,7 @@ pub fn view(app: App) -> View {
     let words = words::of(app);
     let language = app.language.get_untracked();
     let is_whole = create_signal(false);
-    let count = memo(move || app.class.read(Part::HandIns, |collection| collection.listed().count()));
+    let count = memo(move || app.class.read(Part::HandIns, |collection| collection.entries().len()));
     let most = move || if is_whole.get() { usize::MAX } else { FEW };
     let rows = memo(move || app.class.read(Part::HandIns, |collection| rows(collection, most(), language)));
     let table = move || {
@@ -71,7 +71,7 @@ fn rows(collection: &Collection, most: usize, language: Language) -> Vec<Row> {
         lines: state_text(entry, collection, language),
         is_hand_in: entry.hand_in().is_some(),
     };
-    collection.listed().take(most).map(row).collect()
+    collection.entries().iter().enumerate().take(most).map(row).collect()
 }
 
 fn row(app: App, row: Row) -> HtmlTr {

@@ -14,10 +14,15 @@ use units::Language;
 use units::markup::escaped;
 
 /// Script of the students' pages, and its style.
-const STUDENT: &str =
-    concat!(include_str!("pages/parts.js"), include_str!("pages/stream.js"), include_str!("pages/student.js"));
+const STUDENT: &str = concat!(
+    include_str!("pages/bar.js"),
+    include_str!("pages/parts.js"),
+    include_str!("pages/stream.js"),
+    include_str!("pages/student.js")
+);
 /// Script of the teacher's page.
-const TEACHER: &str = concat!(include_str!("pages/stream.js"), include_str!("pages/teacher.js"));
+const TEACHER: &str =
+    concat!(include_str!("pages/bar.js"), include_str!("pages/stream.js"), include_str!("pages/teacher.js"));
 const STYLE: &str = include_str!("pages/style.css");
 
 /// Policy of the list of the documents and of *What is stored*.
@@ -109,6 +114,12 @@ impl Pages {
         &self.index
     }
 
+    /// Address of the only document; `None` if there are several.
+    pub fn only(&self) -> Option<String> {
+        let [(document, _)] = self.documents.as_slice() else { return None };
+        Some(format!("/d/{}", escaped_name(document)))
+    }
+
     /// *What is stored*.
     pub fn stored(&self) -> &Page {
         &self.stored
@@ -170,16 +181,19 @@ fn plain(title: &str, language: Language, head: &str, body: &str) -> String {
     )
 }
 
+fn escaped_name(document: &Document) -> String {
+    utf8_percent_encode(&document.name, NON_ALPHANUMERIC).to_string()
+}
+
 fn index(documents: &[(Document, Page)], language: Language) -> String {
     let link = |document: &Document| {
-        let address = utf8_percent_encode(&document.name, NON_ALPHANUMERIC);
+        let address = escaped_name(document);
         format!("<li><a href=\"d/{address}\">{}</a></li>\n", escaped(&document.title))
     };
     let list: String = documents.iter().map(|(document, _)| link(document)).collect();
     let config = json!({ "document": "", "title": "", "seats": false, "server": "", "code": "", "own": null, "texts": texts::all() });
     let title = language.say("Class");
-    let stored = language.say("What is stored");
-    let body = format!("<main><h1>{title}</h1>\n<ul>\n{list}</ul>\n<p><a href=\"stored\">{stored}</a></p></main>\n");
+    let body = format!("<main><h1>{title}</h1>\n<ul>\n{list}</ul></main>\n");
     plain(title, language, &scripts(&config, STUDENT), &body)
 }
 

@@ -71,6 +71,10 @@ fn teacher(language: Language) -> Value {
         "pace_at": language.say("Pace"),
         "free": language.say("everyone chooses"),
         "close_in": language.say("Close in (min)"),
+        "settings": language.say("Settings of the class"),
+        "dashboard": language.say("Open the class"),
+        "first": language.say(
+            "Students scan the code with the camera of their phone, or open the address and type the code. Their answers and results appear here by themselves."),
         "seats": language.say("Seats"),
         "seats_joined": language.say("# joined, $ have handed in"),
         "let_in": language.say("Let in"),

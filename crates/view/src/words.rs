@@ -34,6 +34,7 @@ table_of_words! {
     // Page.
     skip: "Skip to the apparatus";
     skip_to_panel: "Skip to the panel";
+    skip_links: "Skip links";
     language: "Language";
     translated: "# % of the interface is translated.";
     document_untranslated: "This simulation is not translated.";

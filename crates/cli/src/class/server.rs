@@ -236,7 +236,7 @@ fn announce(server: &Server, class: &Class, link: &str, port: u16, terminal: Ter
     let base = if place.is_encrypted { place.address.clone() } else { format!("http://127.0.0.1:{port}") };
     let language = terminal.language;
     let (students, code) = (language.say("Students"), language.say("code"));
-    let (teacher, once) = (language.say("Teacher"), language.say("this link works once"));
+    let (teacher, once) = (language.say("Teacher"), language.say("open this link in a browser; it works once"));
     let ends = language.say("Ctrl-C ends the server; the class stays in");
     terminal.print(&format!(
         "{}\n{students}: {}   {code}: {}\n{teacher} ({once}): {base}/teacher#link={link}\n{ends} {}\n",

@@ -31,7 +31,7 @@ table_of_words! {
     nothing: "None.";
 
     snapshots: "For the wall";
-    snapshots_none: "Nothing is collected yet. Choose curves or answers above; they are shown without names.";
+    snapshots_none: "Nothing is collected yet. Choose curves, or answers below their question; a projector then shows them without names.";
     wall_show: "Show on the wall";
     wall_title: "Wall";
     wall_previous: "Previous";

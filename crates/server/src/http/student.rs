@@ -13,7 +13,7 @@ use axum::Extension;
 use axum::body::Body;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode};
-use axum::response::{IntoResponse, Response};
+use axum::response::{IntoResponse, Redirect, Response};
 use saved::survey::LONGEST_SHEET;
 use serde::Deserialize;
 use serde_json::value::RawValue;
@@ -25,9 +25,12 @@ const MOST_EVENTS: usize = 5000;
 /// Maximum size of the other bodies, in bytes.
 const SMALL: usize = 1 << 12;
 
-/// List of the documents.
+/// List of the documents, or the only one. The fragment with the code of a class goes along.
 pub async fn index(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
-    server.pages.index().respond(&headers)
+    match server.pages.only() {
+        Some(address) => Redirect::temporary(&address).into_response(),
+        None => server.pages.index().respond(&headers),
+    }
 }
 
 /// A document.

@@ -2,9 +2,8 @@
 (() => {
   "use strict";
   const { parts, hash } = handInParts;
-  const config = JSON.parse(document.getElementById("class-config").textContent);
+  const { config, words, make, button, bar } = classBar;
   const server = config.server || location.origin;
-  const words = () => config.texts[(document.documentElement.lang || "en").slice(0, 2)] || config.texts.en;
 
   // Storage of the browser; without it, everything lives as long as the page.
   const memory = {};
@@ -39,7 +38,9 @@
   // Values of a seat are set before the simulation begins.
   if (seat && config.seats && !location.hash) history.replaceState(null, "", `#seat=${seat.seat}`);
 
-  const ask = async (path, { body, token, signal } = {}) => {
+  // A connection may be dead without an end: a request has a time, and is tried again.
+  const LIMIT = 120000;
+  const ask = async (path, { body, token, signal = AbortSignal.timeout(LIMIT) } = {}) => {
     const headers = {};
     if (token) headers.authorization = `Bearer ${token}`;
     if (body !== undefined) headers["content-type"] = "application/json";
@@ -246,17 +247,7 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   };
 
-  // The line of the class at the top of the page.
   let said = "";
-  const bar = document.createElement("div");
-  bar.id = "class-bar";
-  bar.setAttribute("role", "region");
-  const make = (kind, properties = {}, ...children) => {
-    const node = Object.assign(document.createElement(kind), properties);
-    node.append(...children);
-    return node;
-  };
-  const button = (text, action, properties) => make("button", { type: "button", textContent: text, onclick: action, ...properties });
   const stored = () => make("a", { href: `${server}/stored`, target: "_blank", rel: "noreferrer", textContent: words().stored });
   const line = () => {
     const own = words();
@@ -268,8 +259,7 @@
     const whole = Object.keys(load("known", {})).length ? own.all_in : own.nothing;
     return [waits || (reason ? "" : whole), reason, stores ? "" : own.keep_open].filter(Boolean).join(" ");
   };
-  const status = make("span", { id: "class-status" });
-  status.setAttribute("role", "status");
+  const status = classBar.status("class-status");
   let built = "";
   const show = () => {
     const own = words();
@@ -296,15 +286,13 @@
       code.value = config.code || scanned || "";
       const form = make("form", { onsubmit: (event) => { event.preventDefault(); join(code.value); } },
         make("label", {}, own.code, code), make("button", { textContent: own.join }));
+      bar.classList.remove("seated");
       return bar.replaceChildren(form, stored(), status, make("p", { className: "note", textContent: own.joining }));
     }
+    bar.classList.add("seated");
     const parts = [make("strong", { textContent: seat.pseudonym }), status];
     if (settings.pace && settings.pace !== config.document) {
       parts.push(make("a", { href: `${server}/d/${encodeURIComponent(settings.pace)}`, textContent: `${own.pace} ${settings.pace}` }));
-    }
-    if (config.document && !config.server) {
-      const withSeat = (text) => text.replace('"own":null', () => `"own":${JSON.stringify(seat)}`);
-      parts.push(button(own.file, () => save(`/api/file/${encodeURIComponent(config.document)}`, `${config.document.split(".")[0]}-class.html`, withSeat), { title: own.file_why }));
     }
     if (settings.results || settings.others) {
       const list = make("ul");
@@ -314,25 +302,39 @@
         list.replaceChildren(...questions.map((one, at) => make("li", {},
           `${own.question} ${at + 1}. `, one.results ? `${own.right.replace("#", one.results.right).replace("$", one.results.answered)}. ` : "", one.others.join(" · "))));
       };
-      const details = make("details", { id: "class-others", ontoggle: () => { if (details.open) fill().catch(() => {}); } }, make("summary", { textContent: own.others }), list);
+      const details = fold("class-others", own.others, list);
+      details.addEventListener("toggle", () => { if (details.open) fill().catch(() => {}); });
       parts.push(details);
     }
     const mine = make("div", {});
+    if (config.document && !config.server) {
+      const withSeat = (text) => text.replace('"own":null', () => `"own":${JSON.stringify(seat)}`);
+      mine.append(button(own.file, () => save(`/api/file/${encodeURIComponent(config.document)}`, `${config.document.split(".")[0]}-class.html`, withSeat)),
+        make("p", { className: "note", textContent: own.file_why }));
+    }
     if (seat.key) mine.append(make("span", {}, `${own.key}: `, make("span", { className: "key", textContent: seat.key })));
     mine.append(button(own.download, () => save("/api/mine", "my-class.json")), button(own.erase, async () => {
       if (!confirm(own.erase_sure)) return;
       try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { keep("waiting", []); leave(own.erased); } }
       catch { said = own.unreachable; show(); }
     }), stored());
-    parts.push(make("details", { id: "class-mine" }, make("summary", { textContent: own.more }), mine));
+    parts.push(fold("class-mine", own.more, mine));
     bar.replaceChildren(...parts);
   };
+  // A part that lies over the page while it is open. One is open at a time; Escape closes it.
+  const fold = (id, title, content) => make("details", { id, name: "class-fold", onkeydown: (event) => {
+    if (event.key === "Escape" && event.currentTarget.open) { event.stopPropagation(); event.currentTarget.open = false; event.currentTarget.firstChild.focus(); }
+  } }, make("summary", { textContent: title }), content);
 
   const start = () => { show(); if (seat) { send(); follow(); setTimeout(byItself, 4000); } };
   const begin = () => {
-    document.body.prepend(bar);
-    // The language of the page can change.
-    new MutationObserver(show).observe(document.documentElement, { attributes: true, attributeFilter: ["lang"] });
+    classBar.begin(show);
+    // The line of a seat stays in sight; the page keeps its height free.
+    const { style } = document.documentElement;
+    new ResizeObserver(() => style.setProperty("--over", bar.classList.contains("seated") ? `${bar.offsetHeight}px` : "0px")).observe(bar);
+    addEventListener("pointerdown", (event) => {
+      for (const open of bar.querySelectorAll("details[open]")) if (!open.contains(event.target)) open.open = false;
+    });
     setInterval(show, 10000);
     start();
   };

@@ -1,14 +1,15 @@
 // Class page of the teacher: exchanges the one-time link, sets the class, and passes hand-ins to the dashboard as they arrive.
 (() => {
   "use strict";
-  const config = JSON.parse(document.getElementById("class-config").textContent);
-  const words = () => config.texts[(document.documentElement.lang || "en").slice(0, 2)] || config.texts.en;
+  const { words, make, button, bar } = classBar;
   const KEY = "meniscus-class-teacher";
   const load = () => { try { return localStorage.getItem(KEY); } catch { return null; } };
   const keep = (token) => { try { localStorage.setItem(KEY, token); } catch { /* The token lives as long as the page. */ } };
   let token = load(), about = null, settings = null, seats = [], said = "";
 
-  const ask = (path, { body, signal } = {}) => fetch(path, {
+  // A connection may be dead without an end, as after the computer has slept: a request has a time, and is tried again.
+  const LIMIT = 30000;
+  const ask = (path, { body, signal = AbortSignal.timeout(LIMIT) } = {}) => fetch(path, {
     method: body === undefined ? "GET" : "POST", body, signal, cache: "no-store", credentials: "omit",
     headers: { authorization: `Bearer ${token}`, ...(body === undefined ? {} : { "content-type": "application/json" }) },
   });
@@ -53,6 +54,7 @@
   let since = 0;
   const take = (news) => {
     since = news.last;
+    skew = news.now - Date.now();
     settings = news.settings;
     seats = news.seats;
     for (const event of news.events) {
@@ -70,22 +72,16 @@
       const { heard, status } = await readStream(open, (data) => take(JSON.parse(data)));
       if (status === 401) { token = null; said = words().link; return show(); }
       try {
-        const response = await ask(`/api/teacher/events?since=${since}&wait=${heard ? 0 : 20}`);
-        if (response.ok) take(await response.json());
+        // At once; where a proxy keeps streams back, several times more, each until something happens.
+        for (const wait of heard ? [0] : [0, 20, 20, 20]) {
+          const response = await ask(`/api/teacher/events?since=${since}&wait=${wait}`);
+          if (response.ok) take(await response.json());
+        }
       } catch { said = words().lost; show(); }
       await new Promise((done) => setTimeout(done, 1000));
     }
   };
 
-  const bar = document.createElement("div");
-  bar.id = "class-bar";
-  bar.setAttribute("role", "region");
-  const make = (kind, properties = {}, ...children) => {
-    const node = Object.assign(document.createElement(kind), properties);
-    node.append(...children);
-    return node;
-  };
-  const button = (text, action) => make("button", { type: "button", textContent: text, onclick: action });
   const set = async (change) => {
     try {
       const response = await ask("/api/teacher/settings", { body: JSON.stringify({ ...settings, ...change }) });
@@ -96,20 +92,26 @@
   const post = async (path, seat) => {
     try { await ask(path, { body: JSON.stringify({ seat }) }); } catch { said = words().lost; show(); }
   };
+  // Address, code and QR code with which students join.
+  const way = () => {
+    const picture = make("div", { className: "qr" });
+    picture.innerHTML = about.qr;
+    return [picture, make("div", { className: "way" }, make("span", { textContent: about.address }), make("b", { textContent: about.code }))];
+  };
   const large = () => {
-    const own = words();
     // A dialog of its own, above that of the dashboard.
     const cover = make("dialog", { id: "class-large", onclose: () => cover.remove() });
-    const close = button(own.hide, () => cover.close());
-    const code = make("div");
-    code.innerHTML = about.qr;
-    cover.append(make("span", { textContent: about.address }), code, make("b", { textContent: about.code }), close);
+    cover.setAttribute("aria-label", words().qr);
+    const [picture, text] = way();
+    text.append(button(words().hide, () => cover.close()));
+    cover.append(picture, text);
     document.body.append(cover);
     cover.showModal();
   };
-  const status = make("span", { id: "class-live" });
-  status.setAttribute("role", "status");
+  const status = classBar.status("class-live");
   const count = make("span");
+  const first = make("div", { id: "class-first" });
+  const dashboard = make("button", { type: "button", onclick: () => dispatchEvent(new Event("class-open")) });
   const list = make("ul", { className: "seats" });
   const boxes = [["open", "open"], ["paused", "pause"], ["approve", "approve_late"], ["results", "results"], ["others", "others_after"]];
   const inputs = {};
@@ -125,6 +127,8 @@
     for (const [key] of boxes) inputs[key].checked = settings[key];
     pace.value = settings.pace || "";
     count.textContent = own.seats_joined.replace("#", seats.length).replace("$", seats.filter((one) => handed.has(one.seat)).length);
+    // Until there is something else to be shown.
+    first.hidden = handed.size > 0;
     const now = JSON.stringify([seats, document.documentElement.lang]);
     if (now === listed) return;
     listed = now;
@@ -152,15 +156,18 @@
     });
     pace.replaceChildren(make("option", { value: "", textContent: own.free }),
       ...about.documents.map((one) => make("option", { value: one.name, textContent: one.title })));
+    dashboard.textContent = own.dashboard;
+    first.replaceChildren(...way(), make("p", { textContent: own.first }));
+    const fold = (id, title, open, ...content) => make("details", { id, open }, make("summary", { textContent: title }), ...content);
     bar.replaceChildren(
       make("span", {}, `${own.address} `, make("b", { textContent: about.address }), ` ${own.with} `, make("b", { className: "key", textContent: about.code })),
-      button(own.qr, large), ...choices, make("label", {}, own.pace_at, pace), make("label", {}, own.close_in, minutes),
-      button(own.sheets, () => sheets().catch(() => { said = own.lost; show(); })), count, status,
-      make("details", { id: "class-seats" }, make("summary", { textContent: own.seats }), list));
+      button(own.qr, large), dashboard, count, status, first,
+      fold("class-settings", own.settings, innerWidth >= 760, make("div", {}, ...choices, make("label", {}, own.pace_at, pace),
+        make("label", {}, own.close_in, minutes), button(own.sheets, () => sheets().catch(() => { said = own.lost; show(); })))),
+      fold("class-seats", own.seats, false, list));
   };
   const start = async () => {
-    document.body.prepend(bar);
-    new MutationObserver(show).observe(document.documentElement, { attributes: true, attributeFilter: ["lang"] });
+    classBar.begin(show);
     if (link) {
       const response = await fetch("/api/teacher/exchange", {
         method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ link }), credentials: "omit" });
@@ -179,7 +186,11 @@
   setInterval(() => {
     const dialog = document.getElementById("class");
     const home = dialog?.open ? dialog : document.body;
-    if (bar.parentNode !== home) home.prepend(bar);
+    dashboard.hidden = home === dialog;
+    if (bar.parentNode === home) return;
+    home.prepend(bar);
+    // The button beside which the dialog opens would close it.
+    if (home === dialog) bar.querySelector("button")?.focus();
   }, 250);
   const begin = () => start().catch(() => { said = words().lost; show(); });
   if (document.readyState === "loading") addEventListener("DOMContentLoaded", begin); else begin();

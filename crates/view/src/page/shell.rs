@@ -57,7 +57,9 @@ pub fn view(app: App, mut content: impl FnMut() -> View + 'static) -> View {
         let skip = |place, words: &'static str| a().class("skip").href(place).child(words);
         let words = app.words();
         let skips = (skip("#apparatus", words.skip), skip("#panel", words.skip_to_panel));
-        View::from((skips.0, skips.1, content(), keys::dialog(app)))
+        // A landmark: a class server puts its line, with links, before it.
+        let skips = nav().attr("aria-label", words.skip_links).child(skips.0).child(skips.1);
+        View::from((skips, content(), keys::dialog(app)))
     };
     effect(move || {
         app.changes.document.track();

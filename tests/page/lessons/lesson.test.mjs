@@ -1,76 +1,24 @@
 // A lesson with `meniscus class serve`: students join, lose the network, come back; the teacher follows them.
 
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
 import { writeFileSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
-import { eventually, program, temporary } from "../lab.mjs";
+import { eventually, temporary } from "../lab.mjs";
+import { answer, join, school, shows, start, status, stop, teach } from "./class.mjs";
 
-let browser;
+const { visitor, faults } = school();
 let server;
+before(async () => (server = await start()));
+after(() => server?.child.kill("SIGKILL"));
 
-/** Starts the program, at the port of an earlier start if there was one; what the screen says. */
-async function start(port, what = ["simulations/utube.md", "--store", temporary("class.sqlite")]) {
-  const words = ["class", "serve", ...what, ...(port ? ["--port", port] : [])];
-  const child = spawn(program, words, { cwd: new URL("../../..", import.meta.url).pathname, stdio: ["ignore", "ignore", "pipe"] });
-  let said = "";
-  child.stderr.on("data", (data) => (said += data));
-  const find = (pattern) => eventually(() => said.match(pattern)?.[1] ?? assert.fail(said), 30);
-  const [code, link] = [await find(/code: (\w{6})\n/), await find(/(http:\S+#link=\S+)\n/)];
-  return { child, code, link, base: link.split("/teacher")[0], port: link.match(/:(\d+)\//)[1] };
-}
-
-const stop = (one, signal = "SIGINT") => new Promise((done) => { one.child.once("exit", done); one.child.kill(signal); });
-
-before(async () => {
-  assert.ok(process.env.CHROME, "CHROME must name the browser; `cargo xtask test` finds it");
-  browser = await chromium.launch({ executablePath: process.env.CHROME, args: ["--no-sandbox", "--disable-gpu"] });
-  server = await start();
-});
-
-after(async () => {
-  await browser?.close();
-  server?.child.kill("SIGKILL");
-});
-
-const faults = [];
-async function visitor(options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
-  context.setDefaultTimeout(15_000);
-  const page = await context.newPage();
-  page.on("pageerror", (error) => faults.push(String(error)));
-  return page;
-}
-
-async function join(page, code, address = `${server.base}/d/utube.md`) {
-  await page.goto(address);
-  await page.getByLabel("Code of the class").fill(code);
-  await page.getByRole("button", { name: "Join" }).click();
-  await page.getByRole("button", { name: "Get the file for this class" }).waitFor();
-  return page.locator("#class-bar strong").innerText();
-}
-
-async function answer(page, text) {
-  await page.getByRole("tab", { name: "Questions" }).click();
-  const field = page.getByRole("tabpanel").getByRole("textbox").first();
-  await field.fill(text);
-  await field.press("Enter");
-}
-
-const status = (page, pattern, seconds = 20) =>
-  eventually(async () => assert.match(await page.locator("#class-status").innerText(), pattern), seconds);
-
-const shows = (page, pattern, seconds = 30) =>
-  eventually(async () => assert.match(await page.locator("#class").innerText(), pattern), seconds);
+const address = () => `${server.base}/d/utube.md`;
 
 test("a lesson: joining, a cut network, a reload in it, a killed server, a second device, a file from disk", async () => {
   const teacher = await visitor();
-  await teacher.goto(server.link);
+  await teach(teacher, server);
   await teacher.getByText("0 joined").waitFor();
   assert.equal(new URL(teacher.url()).hash, "", "the one-time link does not stay in the address");
-  await teacher.locator("#class[open]").waitFor();
 
   const student = await visitor();
   const wrong = await visitor();
@@ -78,7 +26,7 @@ test("a lesson: joining, a cut network, a reload in it, a killed server, a secon
   assert.equal(await wrong.getByLabel("Code of the class").inputValue(), "222222");
   await wrong.getByRole("button", { name: "Join" }).click();
   await status(wrong, /No class has this code/);
-  const name = await join(student, server.code.toLowerCase());
+  const name = await join(student, server.code.toLowerCase(), address());
   assert.match(name, /^\w+ \w+ 1$/);
   await answer(student, "0.31");
   await shows(teacher, /0\.31 instead of/);
@@ -91,7 +39,7 @@ test("a lesson: joining, a cut network, a reload in it, a killed server, a secon
   await student.close({ runBeforeUnload: false });
   const again = await student.context().newPage();
   await student.context().setOffline(false);
-  await again.goto(`${server.base}/d/utube.md`);
+  await again.goto(address());
   await status(again, /^Everything is handed in/);
   await shows(teacher, /0\.32 instead of/);
 
@@ -99,7 +47,7 @@ test("a lesson: joining, a cut network, a reload in it, a killed server, a secon
   await stop(server, "SIGKILL");
   await answer(again, "0.33");
   await status(again, /not handed in yet/);
-  server = await start(server.port);
+  server = await start(server);
   await status(again, /^Everything is handed in/, 60);
   await shows(teacher, /0\.33 instead of/, 60);
 
@@ -107,7 +55,7 @@ test("a lesson: joining, a cut network, a reload in it, a killed server, a secon
   await again.getByText("My seat").click();
   const key = await again.locator("#class-bar .key").innerText();
   const device = await visitor();
-  assert.equal(await join(device, key), name);
+  assert.equal(await join(device, key, address()), name);
   await answer(device, "0.34");
   await status(device, /^Everything is handed in/);
   await shows(teacher, /0\.34 instead of/);
@@ -119,8 +67,8 @@ test("a lesson: joining, a cut network, a reload in it, a killed server, a secon
   await (await download).saveAs(file);
   // The address is that of this computer in its network; tests stay on loopback.
   const text = readFileSync(file, "utf8");
-  const address = text.match(/connect-src (http:[^"]*)"/)[1];
-  writeFileSync(file, text.replaceAll(address, server.base));
+  const own = text.match(/connect-src (http:[^"]*)"/)[1];
+  writeFileSync(file, text.replaceAll(own, server.base));
   const disk = await visitor();
   await disk.goto(pathToFileURL(file).href);
   assert.equal(await disk.locator("#class-bar strong").innerText(), name);
@@ -134,12 +82,11 @@ test("a lesson: joining, a cut network, a reload in it, a killed server, a secon
 test("the teacher pauses, closes, lets in, shows answers; a student erases what is stored", async () => {
   const teacher = await visitor();
   await stop(server);
-  server = await start(server.port);
-  await teacher.goto(server.link);
-  await teacher.locator("#class[open]").waitFor();
+  server = await start(server);
+  await teach(teacher, server);
   const [one, other] = [await visitor(), await visitor()];
-  await join(one, server.code);
-  await join(other, server.code);
+  await join(one, server.code, address());
+  await join(other, server.code, address());
   await answer(one, "0.41");
   await answer(other, "0.42");
   await status(one, /^Everything is handed in/);
@@ -164,7 +111,7 @@ test("the teacher pauses, closes, lets in, shows answers; a student erases what 
   await Promise.all([teacher.waitForResponse(/teacher\/settings/), teacher.getByLabel("Approve late joiners").check()]);
   await teacher.getByText("Seats", { exact: true }).click();
   const late = await visitor();
-  await late.goto(`${server.base}/d/utube.md`);
+  await late.goto(address());
   await late.getByLabel("Code of the class").fill(server.code);
   await late.getByRole("button", { name: "Join" }).click();
   await status(late, /Wait until your teacher lets you in/);
@@ -180,11 +127,10 @@ test("the teacher pauses, closes, lets in, shows answers; a student erases what 
 });
 
 test("students with the laboratory: a fit reaches the dashboard by itself", async () => {
-  const lesson = await start(undefined, ["simulations/tube.md", "--lab", "--store", temporary("laboratory.sqlite")]);
+  const lesson = await start({ what: ["simulations/tube.md", "--lab"] });
   try {
     const teacher = await visitor();
-    await teacher.goto(lesson.link);
-    await teacher.locator("#class[open]").waitFor();
+    await teach(teacher, lesson);
     const student = await visitor();
     await join(student, lesson.code, `${lesson.base}/d/tube.md`);
     await student.getByRole("tab", { name: "Measure", exact: true }).click();

@@ -184,7 +184,8 @@
   const take = (text) => {
     state = JSON.parse(text);
     offset = state.now - Date.now();
-    if (["closed", "approval"].includes(problem) && state.accepts && state.approved) { problem = ""; pause = FIRST; send(); }
+    const isOver = problem === "unreachable" || (["closed", "approval"].includes(problem) && state.accepts && state.approved);
+    if (isOver) { problem = ""; pause = FIRST; send(); }
     show();
   };
   const follow = async () => {
@@ -194,10 +195,7 @@
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     while (alive()) {
       const open = (signal) => ask("/api/stream", { token: seat.token, signal });
-      const { status } = await readStream(open, take, () => {
-        if (alive() && problem === "unreachable") { pause = FIRST; send(); }
-        return alive();
-      });
+      const { status } = await readStream(open, take, alive);
       if (status === 401) return leave(words().token);
       if (!alive()) return;
       try {

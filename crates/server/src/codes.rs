@@ -33,9 +33,11 @@ pub fn token() -> Option<String> {
     Some(URL_SAFE_NO_PAD.encode(random::<32>()?))
 }
 
-/// A random identifier that tells nothing of its time or order.
-pub fn identifier() -> Option<[u8; 16]> {
-    random()
+/// An identifier that follows from a random number and tells nothing of time and order.
+pub fn identifier(number: &str) -> [u8; 16] {
+    let mut identifier = [0; 16];
+    identifier.copy_from_slice(&hash(number)[..16]);
+    identifier
 }
 
 /// Hash of a token or key.

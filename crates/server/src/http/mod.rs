@@ -5,7 +5,7 @@
 //! | `/`, `/d/NAME`, `/stored` | everyone | list of the documents, a document, *What is stored* |
 //! | `/api/join` | everyone | a code for a token |
 //! | `/api/state`, `/api/stream`, `/api/events`, `/api/mine`, `/api/erase`, `/api/others`, `/api/file/NAME` | students | settings, hand-ins, own data |
-//! | `/api/survey` | students, without their seat | answers to surveys |
+//! | `/api/survey/{number}` | students, without their seat | answers to surveys |
 //! | `/teacher`, `/api/teacher/..` | the teacher | dashboard, settings, events, hand-ins |
 //!
 //! Tokens stand in the header `Authorization`; there are no cookies, so that no other page can act for a student or teacher.

@@ -19,7 +19,7 @@ impl Server {
             .route("/api/erase", post(mine::erase))
             .route("/api/others", get(student::others))
             .route("/api/file/{name}", get(mine::file))
-            .route("/api/survey", post(student::survey))
+            .route("/api/survey/{id}", post(student::survey))
             .layer(middleware::from_fn(guard::any_origin));
         let teacher = Router::new()
             .route("/teacher", get(teacher::page))

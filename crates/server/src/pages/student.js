@@ -162,7 +162,9 @@
   const sheet = (text) => {
     const sheets = load("sheets", {});
     if (sheets[config.document]?.sent) return;
-    sheets[config.document] = { text, due: Date.now() + 60000 + Math.random() * 540000 };
+    // The server knows by the number that it has the answers already, when they are sent again because its reply was lost.
+    const id = crypto.getRandomValues(new Uint32Array(4)).join("-");
+    sheets[config.document] = { text, id, due: Date.now() + 60000 + Math.random() * 540000 };
     keep("sheets", sheets);
     said = words().sheet;
     show();
@@ -172,7 +174,7 @@
     for (const [name, one] of Object.entries(sheets)) {
       if (!seat || one.sent || one.due > Date.now()) continue;
       try {
-        const response = await ask("/api/survey", { body: one.text, token: seat.survey });
+        const response = await ask(`/api/survey/${one.id}`, { body: one.text, token: seat.survey });
         if (response.ok) { sheets[name] = { sent: true }; keep("sheets", sheets); }
       } catch { /* It is tried again. */ }
     }

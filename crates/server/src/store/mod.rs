@@ -157,7 +157,7 @@ impl Store {
         of!(self, append_of_teacher(class, at, kind, body))
     }
 
-    /// Stores the answers of one person to a survey.
+    /// Stores the answers of one person to a survey. Answers with an identifier that is stored already add nothing.
     ///
     /// # Errors
     /// The store cannot be written.

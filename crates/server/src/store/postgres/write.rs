@@ -69,7 +69,8 @@ SELECT $1::text, 0, 1 + coalesce((SELECT max(seq) FROM event WHERE class = $1 AN
 WHERE EXISTS (SELECT FROM class WHERE class = $1) RETURNING number";
 
 const ADD_SHEET: &str = "
-INSERT INTO sheet SELECT $1::text, $2::bytea, $3::text WHERE EXISTS (SELECT FROM class WHERE class = $1)";
+INSERT INTO sheet SELECT $1::text, $2::bytea, $3::text WHERE EXISTS (SELECT FROM class WHERE class = $1)
+ON CONFLICT DO NOTHING";
 
 const ERASE_SEAT: &str = "
 WITH gone AS (DELETE FROM seat WHERE class = $1 AND seat = $2 RETURNING seat),

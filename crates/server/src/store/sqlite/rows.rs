@@ -106,7 +106,7 @@ impl Sqlite {
 
     pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
         self.change(move |connection| {
-            connection.execute("INSERT INTO sheet VALUES(?,?,?)", params![class, id, body])?;
+            connection.execute("INSERT OR IGNORE INTO sheet VALUES(?,?,?)", params![class, id, body])?;
             Ok(())
         })
         .await

@@ -114,6 +114,8 @@ const takeOver = () => {
   compiled ??= load();
   taken ??= compiled.then(async (module) => {
     await Promise.all([firstFrame, isOffered, texts.load(`laboratory-texts-${document.documentElement.lang}`)]);
+    // A button that is replaced while it is pressed hears no click.
+    while (isPressed) await new Promise((done) => setTimeout(done, 20));
     listening.abort();
     return laboratory({ module_or_path: module });
   });

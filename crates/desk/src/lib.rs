@@ -15,6 +15,7 @@
 //! language. No method panics; an index that does not exist is ignored or refused.
 
 mod announcement;
+mod changes;
 mod cycles;
 mod desk;
 mod films;
@@ -26,7 +27,6 @@ mod refusal;
 mod removed;
 mod sizes;
 mod storing;
-mod undo;
 mod words;
 mod workbook;
 mod writing;
@@ -40,27 +40,33 @@ pub use saved;
 pub use units::number;
 
 pub use announcement::Announcement;
-pub use cycles::{CycleColumn, CyclesView};
-pub use desk::{Desk, Revision};
+pub use changes::{Changes, Outcome, Revision};
+pub use cycles::{CycleColumn, Cycles, CyclesView, ShownCycles};
+pub use desk::Desk;
 pub use films::{
     BodyOutline, CalibrationForm, CameraSettings, Clip, Doubt, DoubtfulFrame, FILMED_SIZE, FilmIdentity, FilmOpening,
-    FilmRecipe, FilmTruth, FilmedBody, FilmedSurface, Lacking, LengthsForm, MOST_BODIES, MOST_SURFACES, OpenFilm,
-    POINT_SIGMA, ParallaxForm, ProjectFilm, SpaceTimePicture, Subject, TrackingProgress, TruthComparison,
+    FilmRecipe, FilmTruth, FilmedBody, FilmedSurface, Films, Kept, Lacking, LengthsForm, MOST_BODIES, MOST_SURFACES,
+    OpenFilm, POINT_SIGMA, ParallaxForm, ProjectFilm, ShownFilms, SpaceTimePicture, Subject, TrackingProgress,
+    TruthComparison,
 };
 pub use fits::{
-    ChoiceView, EstimateView, Export, ExportKind, Finding, FitComputation, FitDetail, FitNews, FitProgress,
-    FitRecordView, FitView, FitWork, Imprint, InProcess, KnownView, MOST_FITS, NothingFound, PeriodComparison,
-    PeriodQuestion, Workers,
+    ChoiceView, EstimateView, Export, ExportKind, Finding, FitComputation, FitData, FitDetail, FitNews, FitProgress,
+    FitRecordView, FitView, FitWork, Fits, FittedCurve, Imprint, InProcess, KnownView, MOST_FITS, NothingFound,
+    PeriodComparison, PeriodQuestion, ShownFits, TheoryCurve, Workers, write_varied,
 };
-pub use measured::{CurveAxis, FittedCurve, MeasuredCurve, TheoryCurve};
-pub use opened::OpenedDocuments;
+pub use measured::{CurveAxis, MeasuredCurve, MeasuredData};
+pub use opened::{OpenDocument, OpenedDocuments};
 pub use records::{
-    ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, SAMPLES,
-    Sample, VariableView,
+    ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, Records,
+    SAMPLES, Sample, ShownRecords, VariableView, measurement_units,
 };
 pub use refusal::Refusal;
-pub use storing::{Visit, document_data, write_varied};
+pub use storing::{
+    Visit, document_data, facts, items_of_fit, project_items, restore, restore_answer, saved_answers,
+    take_project_items,
+};
+pub use workbook::{export_record, missing_in_link, workbook};
 pub use writing::{
-    DrawingPlaces, Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes,
+    DrawingPlaces, Insight, LineChanges, Mark, Proposals, TextChange, Writing, insight, line_changes, propose,
     superfluous_versions, text_changes,
 };

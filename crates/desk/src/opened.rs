@@ -1,7 +1,28 @@
-//! Documents opened from their texts, kept for the next work with the same ones.
+//! The open document, and documents opened from their texts, kept for the next work with the same ones.
 
 use document::Document;
+use play::{Play, name_of};
 use std::collections::VecDeque;
+use units::Language;
+
+/// The open document and its simulation, which the parts of a desk read.
+#[derive(Clone, Copy, Debug)]
+pub struct OpenDocument<'a> {
+    pub(crate) play: &'a Play,
+    pub(crate) document: &'a Document,
+}
+
+impl OpenDocument<'_> {
+    /// Language of all texts.
+    pub(crate) fn language(self) -> Language {
+        self.play.language()
+    }
+
+    /// Hash of the text. Results of a fit for a record are valid only with this document.
+    pub(crate) fn name(self) -> String {
+        name_of(&[&self.document.source])
+    }
+}
 
 /// Maximum number of kept documents.
 const MOST: usize = 8;

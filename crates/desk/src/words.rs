@@ -1,8 +1,9 @@
 //! Texts about measuring and fitting in every language.
 
 use crate::fits::NothingFound;
-use crate::{Announcement, Desk, Refusal};
+use crate::{Announcement, Refusal};
 use analysis::fit::FitError;
+use play::Play;
 use units::{Language, say};
 
 /// Title and description of the plot of the residuals.
@@ -134,56 +135,58 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
     text.to_owned()
 }
 
-impl Desk {
-    /// Text of a refusal in the chosen language.
-    pub fn refusal_text(&self, refusal: &Refusal) -> String {
-        let language = self.play.language();
-        match refusal {
-            Refusal::Play(refusal) => self.play.basis().refusal_text(refusal),
-            Refusal::TooManyRecords { most } => say!(language, "{most} records are open already; remove one first."),
-            Refusal::RecordTooLong { most } => say!(language, "The page reads records of up to {most} MiB; the program reads longer ones."),
-            Refusal::UnreadableRecord { name, why } => {
+impl Refusal {
+    /// Text in the chosen language.
+    pub fn text(&self, play: &Play) -> String {
+        let language = play.language();
+        match self {
+            Self::Play(refusal) => play.basis().refusal_text(refusal),
+            Self::TooManyRecords { most } => say!(language, "{most} records are open already; remove one first."),
+            Self::RecordTooLong { most } => say!(language, "The page reads records of up to {most} MiB; the program reads longer ones."),
+            Self::UnreadableRecord { name, why } => {
                 say!(language, "{name} could not be read. {why}")
             }
-            Refusal::NoSuchPolynomial => language
+            Self::NoSuchPolynomial => language
                 .say(
                     "There is no such polynomial: the window is an odd number of rows up to ROWS, the degree is from 2 to 7 and below it.",
                 )
                 .replace("ROWS", &analysis::smoothing::WIDEST.to_string()),
-            Refusal::NoDerivative => language
+            Self::NoDerivative => language
                 .say(
                     "No row has the neighbours that a derivative needs. Times must ascend; uneven ones can be smoothed by polynomials.",
                 )
                 .to_owned(),
-            Refusal::Fit { why } | Refusal::Film { why } => why.clone(),
-            Refusal::Size { why } => units::sentence(why),
+            Self::Fit { why } | Self::Film { why } => why.clone(),
+            Self::Size { why } => units::sentence(why),
         }
     }
+}
 
-    /// Text of an announcement in the chosen language.
-    pub fn announcement_text(&self, announcement: &Announcement) -> String {
-        let language = self.play.language();
-        match announcement {
-            Announcement::Play(announcement) => announcement.text(self.play.basis(), self.play.time_line()),
-            Announcement::RecordAdded(name) => say!(language, "Record read: {}", name),
-            Announcement::DerivativesMade(name) => {
+impl Announcement {
+    /// Text in the chosen language.
+    pub fn text(&self, play: &Play) -> String {
+        let language = play.language();
+        match self {
+            Self::Play(announcement) => announcement.text(play.basis(), play.time_line()),
+            Self::RecordAdded(name) => say!(language, "Record read: {}", name),
+            Self::DerivativesMade(name) => {
                 say!(language, "Velocity and acceleration made: {}", name)
             }
-            Announcement::FilmTracked => language.say("The film has been tracked").to_owned(),
-            Announcement::RecordCancelled(name) => say!(language, "Not read: {}", name),
-            Announcement::RecordRemoved(name) => say!(language, "Record removed: {}", name),
-            Announcement::FitRemoved(theory) => say!(language, "Fit removed: {}", theory),
-            Announcement::FitFinished(None) => language.say("The fit is finished").to_owned(),
-            Announcement::FitFinished(Some(doubt)) => say!(language, "The fit is finished, and the parameters keep their values. {} Press Show in the results to see the curve.", doubt),
-            Announcement::TheoriesLeftOut(which) => say!(language, "Not fitted: {}", which),
-            Announcement::FitFailed(NothingFound::NoCurve) => language.say("The model has no finite curve at any start: nothing was found").to_owned(),
-            Announcement::FitFailed(NothingFound::TooManySteps) => language.say("Wherever it was tried, the model needs too many steps for this record: nothing was found. Fit a shorter part, or \
+            Self::FilmTracked => language.say("The film has been tracked").to_owned(),
+            Self::RecordCancelled(name) => say!(language, "Not read: {}", name),
+            Self::RecordRemoved(name) => say!(language, "Record removed: {}", name),
+            Self::FitRemoved(theory) => say!(language, "Fit removed: {}", theory),
+            Self::FitFinished(None) => language.say("The fit is finished").to_owned(),
+            Self::FitFinished(Some(doubt)) => say!(language, "The fit is finished, and the parameters keep their values. {} Press Show in the results to see the curve.", doubt),
+            Self::TheoriesLeftOut(which) => say!(language, "Not fitted: {}", which),
+            Self::FitFailed(NothingFound::NoCurve) => language.say("The model has no finite curve at any start: nothing was found").to_owned(),
+            Self::FitFailed(NothingFound::TooManySteps) => language.say("Wherever it was tried, the model needs too many steps for this record: nothing was found. Fit a shorter part, or \
                  narrow the ranges of the parameters").to_owned(),
-            Announcement::FitCancelled => language.say("Fit cancelled").to_owned(),
-            Announcement::FitApplied(record) if record.is_empty() => {
+            Self::FitCancelled => language.say("Fit cancelled").to_owned(),
+            Self::FitApplied(record) if record.is_empty() => {
                 language.say("The parameters have the fitted values").to_owned()
             }
-            Announcement::FitApplied(record) => say!(language, "The parameters have the fitted values of {}", record),
+            Self::FitApplied(record) => say!(language, "The parameters have the fitted values of {}", record),
         }
     }
 }

@@ -283,6 +283,6 @@ impl App {
     /// As [`App::act_on_desk`], for actions that can be refused. Returns the text of the refusal.
     #[track_caller]
     pub fn attempt_on_desk(self, act: impl FnOnce(&mut Desk) -> Result<(), Refusal>) -> Option<String> {
-        self.act_on_desk(|desk| act(desk).err().map(|refusal| desk.refusal_text(&refusal)))
+        self.act_on_desk(|desk| act(desk).err().map(|refusal| refusal.text(desk.play())))
     }
 }

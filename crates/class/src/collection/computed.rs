@@ -58,11 +58,11 @@ impl Computed {
         Self {
             facts,
             refused,
-            curves: desk.measured_curves(),
-            fits: desk.fitted_curves(),
+            curves: desk.measured().curves(desk.play()),
+            fits: desk.fits().fitted_curves(),
             answers: answers(desk.play()),
             equal_runs: equal_runs(desk.play()),
-            theories: desk.theory_curves(|theory| !known(theory)),
+            theories: desk.fits().theory_curves(|theory| !known(theory)),
         }
     }
 

@@ -41,7 +41,7 @@ pub fn project_of_files(
     for file in &files {
         desk.add_record(&file.name, &file.bytes).ok()?;
     }
-    let mut items = desk.project_items(0);
+    let mut items = desk::project_items(&desk, 0);
     if items.len() != files.len() {
         return None;
     }

@@ -32,11 +32,11 @@ impl Recomputation {
         let mut desk = Desk::open(document);
         let mut refused = Vec::new();
         if !work.state.is_empty()
-            && let Err(why) = desk.restore(&work.state).1
+            && let Err(why) = desk::restore(&mut desk, &work.state).1
         {
             refused.push(state_refused(&why));
         }
-        refused.extend(desk.take_project_items(&work.items));
+        refused.extend(desk::take_project_items(&mut desk, &work.items));
         Some(Self { desk, refused })
     }
 
@@ -70,17 +70,17 @@ impl Recomputation {
 
     /// A sentence for each part of the work that could not be restored, and for each fit that could not be repeated.
     pub fn left_out(&self) -> impl Iterator<Item = &Words> {
-        self.refused.iter().chain(self.desk.lost_fits())
+        self.refused.iter().chain(self.desk.fits().lost())
     }
 
     /// The values that follow from the work.
-    pub fn facts(mut self) -> Vec<Fact> {
-        self.desk.facts()
+    pub fn facts(self) -> Vec<Fact> {
+        desk::facts(&self.desk)
     }
 
     /// The laboratory with the work, its texts in this language, and the values that follow from the work.
     pub(crate) fn finish(mut self, language: &str) -> (Desk, Vec<Fact>) {
-        let facts = self.desk.facts();
+        let facts = desk::facts(&self.desk);
         self.desk.set_language(language);
         (self.desk, facts)
     }

@@ -3,7 +3,7 @@
 use crate::course::unzipped;
 use crate::support::VERSION;
 use class::verify::hand_in;
-use desk::{Desk, ExportKind, Imprint};
+use desk::{Desk, ExportKind, Imprint, MeasurementForm};
 use document::page::Source;
 use saved::hand_in::Sender;
 use saved::project::Project;
@@ -30,32 +30,34 @@ fn a_hidden_value_is_in_no_file_of_the_laboratory() {
     desk.play_mut().tick(1.0);
     desk.play_mut().pause();
     desk.play_mut().keep().unwrap();
-    let record = desk.measure("camera", &desk.measurement_form()).unwrap();
-    let c = desk.fit_choices().iter().position(|choice| choice.name == "c").unwrap();
-    desk.vary(desk.fit_choices()[c].index, true);
-    desk.begin_fit("tube.md").unwrap();
+    let form = MeasurementForm::suited(desk.play());
+    let record = desk.change_records(|records, open| records.measure(open, "camera", &form)).unwrap();
+    let c = desk.fits().choices().iter().position(|choice| choice.name == "c").unwrap();
+    let varied = desk.fits().choices()[c].index;
+    desk.change_fits(|fits, data| fits.vary(data.play(), varied, true));
+    desk.change_fits(|fits, data| fits.begin(data, "tube.md")).unwrap();
     while desk.advance_fit() {}
     desk.play_mut().check_answer(0, "0.1");
-    let fit = desk.fits()[0].id;
+    let fit = desk.fits().list()[0].id;
 
     let mut files = vec![
-        ("list of what a fit can vary", format!("{:?}", desk.fit_choices())),
-        ("records", format!("{:?}", desk.records())),
-        ("fits", format!("{:?}", desk.fits())),
-        ("detail of a fit", format!("{:?}", desk.fit_detail(fit))),
+        ("list of what a fit can vary", format!("{:?}", desk.fits().choices())),
+        ("records", format!("{:?}", desk.records().list())),
+        ("fits", format!("{:?}", desk.fits().list())),
+        ("detail of a fit", format!("{:?}", desk.fits().detail(fit))),
         ("link", desk.play().share()),
-        ("workbook", text(desk.workbook())),
-        ("facts", format!("{:?}", desk.facts())),
-        ("items of a project", format!("{:?}", desk.project_items(5))),
+        ("workbook", text(desk::workbook(&desk))),
+        ("facts", format!("{:?}", desk::facts(&desk))),
+        ("items of a project", format!("{:?}", desk::project_items(&desk, 5))),
     ];
     for kind in [ExportKind::Csv, ExportKind::Workbook] {
-        files.push(("record", text(desk.export_record(record, kind).unwrap().bytes)));
+        files.push(("record", text(desk::export_record(&desk, record, kind).unwrap().bytes)));
     }
     for kind in [ExportKind::Csv, ExportKind::Workbook, ExportKind::Report] {
-        files.push(("fit", text(desk.export_fit(fit, kind, Imprint::default()).unwrap().bytes)));
+        files.push(("fit", text(desk.fits().export(fit, kind, Imprint::default()).unwrap().bytes)));
     }
     let documents = vec![Source { name: "tube.md".to_owned(), text: TUBE.to_owned() }];
-    let work = Project { documents, state: desk.play().share(), items: desk.project_items(5) };
+    let work = Project { documents, state: desk.play().share(), items: desk::project_items(&desk, 5) };
     let sender = Sender { name: "a".to_owned(), seat: Some(7), assignment: "tube-2026".to_owned() };
     files.push(("hand-in", hand_in(work, sender, 6, VERSION).unwrap().write()));
 

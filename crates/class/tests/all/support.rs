@@ -75,13 +75,13 @@ pub fn answered(rows: &[(f64, f64)], answers: &[&str]) -> Project {
     let documents = linear();
     let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
     desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
-    desk.begin_fit("theories/linear.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
     while desk.advance_fit() {}
-    assert_eq!(desk.fits().len(), 1);
+    assert_eq!(desk.fits().list().len(), 1);
     for typed in answers {
         desk.play_mut().check_answer(0, typed);
     }
-    Project { documents, state: desk.play().share(), items: desk.project_items(1_763_812_800_000) }
+    Project { documents, state: desk.play().share(), items: desk::project_items(&desk, 1_763_812_800_000) }
 }
 
 /// A hand-in of this work.
@@ -106,9 +106,10 @@ pub fn weighed(length: f64, rows: &[(f64, f64)], name: &str) -> HandIn {
     let index = desk.play().model().parameters.iter().position(|one| one.name == "L").unwrap();
     desk.play_mut().set_parameter(index, length).unwrap();
     desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
-    desk.begin_fit("linear.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "linear.md")).unwrap();
     while desk.advance_fit() {}
-    let project = Project { documents, state: desk.play().share(), items: desk.project_items(1_763_812_800_000) };
+    let project =
+        Project { documents, state: desk.play().share(), items: desk::project_items(&desk, 1_763_812_800_000) };
     let sender = Sender { name: name.to_owned(), ..Sender::default() };
     hand_in(project, sender, 1_763_812_900_000, VERSION).unwrap()
 }
@@ -148,12 +149,12 @@ pub fn report(rows: &[(f64, f64)]) -> String {
     let documents = linear();
     let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
     desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
-    desk.begin_fit("theories/linear.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
     while desk.advance_fit() {}
-    let fit = desk.fits()[0].id;
-    let page = desk.export_fit(fit, ExportKind::Report, Imprint::default()).unwrap();
+    let fit = desk.fits().list()[0].id;
+    let page = desk.fits().export(fit, ExportKind::Report, Imprint::default()).unwrap();
     let page = String::from_utf8(page.bytes).unwrap();
-    let work = Project { documents, state: desk.play().share(), items: desk.items_of_fit(fit, false, 5) };
+    let work = Project { documents, state: desk.play().share(), items: desk::items_of_fit(&desk, fit, false, 5) };
     let made = hand_in(work, Sender::default(), 6, VERSION).unwrap().of_page(&page);
     carry(&page, &compress_to_vec_zlib(made.write().as_bytes(), 9), Language::English)
 }

@@ -142,6 +142,7 @@ fn what_a_page_writes_is_read_and_stands_nowhere_else() {
     use saved::survey::SurveyAnswer::{Chosen, Typed};
     let typed = Typed("a secret\n\"quoted\" \\  ñ\u{2028}🎉".to_owned());
     assert_eq!(answers, [Some(Chosen(1)), Some(Chosen(0)), None, Some(typed)]);
-    let kept = [play.share(), format!("{:?}", desk.project_items(0)), format!("{:?}", desk.facts())].concat();
+    let kept =
+        [play.share(), format!("{:?}", desk::project_items(&desk, 0)), format!("{:?}", desk::facts(&desk))].concat();
     assert!(!kept.contains("secret"), "{kept}");
 }

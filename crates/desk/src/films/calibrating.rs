@@ -3,12 +3,14 @@
 use crate::films::lengths::{CalibrationForm, LengthsForm, ParallaxForm};
 use crate::films::record::Kept;
 use crate::films::subject::inside;
-use crate::{Desk, Refusal, number};
+use crate::films::{Films, no_film, refused};
+use crate::{Refusal, number};
 use film::Plane;
 use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale, by_marks};
+use play::Play;
 use units::{Dimension, Unit, Words, words};
 
-impl Desk {
+impl Films {
     /// Sets the calibration form and updates the record of the film. `plane`: stored frame that shows the ruler; needed
     /// only for marks between two others, if they or the length have changed.
     ///
@@ -16,40 +18,50 @@ impl Desk {
     ///
     /// [`Refusal::Film`] for an invalid length, marks too close together, a ruler without regular marks, or without an
     /// open film. Nothing changes then.
-    pub fn calibrate_film(&mut self, form: CalibrationForm, plane: Option<&Plane>) -> Result<(), Refusal> {
-        let calibration = self.calibration_of(&form, plane)?;
-        let Some((_, work)) = self.films.current_mut() else { return Err(self.no_film()) };
+    pub fn calibrate(
+        &mut self,
+        play: &Play,
+        form: CalibrationForm,
+        plane: Option<&Plane>,
+    ) -> Result<Option<Kept>, Refusal> {
+        let calibration = self.calibration_of(play, &form, plane)?;
+        let Some((_, work)) = self.current_mut() else { return Err(no_film(play)) };
         (work.form, work.calibration) = (form, calibration);
-        self.film_changed(Kept { origin: true, offsets: false })
+        Ok(Some(Kept { origin: true, offsets: false }))
     }
 
-    pub(super) fn calibration_of(&self, form: &CalibrationForm, plane: Option<&Plane>) -> Result<Calibration, Refusal> {
-        let (open, work) = self.films.current().ok_or_else(|| self.no_film())?;
+    pub(super) fn calibration_of(
+        &self,
+        play: &Play,
+        form: &CalibrationForm,
+        plane: Option<&Plane>,
+    ) -> Result<Calibration, Refusal> {
+        let (open, work) = self.current().ok_or_else(|| no_film(play))?;
         let size = open.clip.size();
         let points = form.origin.iter().chain(&form.axis);
         for point in points.chain(form.lengths.points()) {
-            inside(*point, size).map_err(|refusal| self.film_refusal(&refusal.words()))?;
+            inside(*point, size).map_err(|refusal| refused(play, &refusal.words()))?;
         }
-        let refused = |refusal: film::calibration::Refusal| self.film_refusal(&refusal.words());
+        let why = |refusal: film::calibration::Refusal| refused(play, &refusal.words());
         let lengths = match &form.lengths {
             LengthsForm::Pixels => Lengths::Pixels,
             same if *same == work.form.lengths => work.calibration.lengths,
             LengthsForm::Ruler { marks, length, intervals: 0 | 1 } => {
-                Lengths::Scale(Scale::between(*marks, self.length(length)?, CLICK).map_err(refused)?)
+                Lengths::Scale(Scale::between(*marks, metres(play, length)?, CLICK).map_err(why)?)
             }
             LengthsForm::Ruler { marks, length, intervals } => {
                 let plane = plane.filter(|plane| [plane.width(), plane.height()] == open.clip.plane_size());
-                let plane = plane.ok_or_else(|| self.film_refusal(&no_picture()))?;
-                let length = self.length(length)? / f64::from(*intervals);
+                let plane = plane.ok_or_else(|| refused(play, &no_picture()))?;
+                let length = metres(play, length)? / f64::from(*intervals);
                 let ends = marks.map(|mark| open.clip.stored(mark));
-                Lengths::Scale(by_marks(plane, ends, *intervals, length).map_err(refused)?)
+                Lengths::Scale(by_marks(plane, ends, *intervals, length).map_err(why)?)
             }
             LengthsForm::Rectangle { corners, size: [width, height] } => {
-                let size = [self.length(width)?, self.length(height)?];
-                Lengths::Rectangle(Rectangle::new(*corners, size, CLICK).map_err(refused)?)
+                let size = [metres(play, width)?, metres(play, height)?];
+                Lengths::Rectangle(Rectangle::new(*corners, size, CLICK).map_err(why)?)
             }
         };
-        let parallax = form.parallax.as_ref().map(|parallax| self.parallax(parallax)).transpose()?;
+        let parallax = form.parallax.as_ref().map(|parallax| parallax_of(play, parallax)).transpose()?;
         let origin = form.origin.unwrap_or([0.0, size[1]]);
         let level = Calibration { lengths, origin, parallax, ..Calibration::default() };
         let angle = form.axis.map_or(0.0, |axis| {
@@ -57,38 +69,28 @@ impl Desk {
             libm::atan2(y, x)
         });
         if !angle.is_finite() {
-            return Err(refused(film::calibration::Refusal::Close));
+            return Err(why(film::calibration::Refusal::Close));
         }
         Ok(Calibration { angle, ..level })
     }
+}
 
-    fn parallax(&self, form: &ParallaxForm) -> Result<Parallax, Refusal> {
-        let (behind, distance) = (self.length(&form.behind)?, self.length(&form.distance)?);
-        if !(distance > 0.0 && distance + behind > 0.0) {
-            return Err(
-                self.film_refusal(&words("The camera must be further away than the ruler is in front of the motion."))
-            );
-        }
-        Ok(Parallax { behind, distance })
+fn parallax_of(play: &Play, form: &ParallaxForm) -> Result<Parallax, Refusal> {
+    let (behind, distance) = (metres(play, &form.behind)?, metres(play, &form.distance)?);
+    if !(distance > 0.0 && distance + behind > 0.0) {
+        return Err(refused(play, &words("The camera must be further away than the ruler is in front of the motion.")));
     }
+    Ok(Parallax { behind, distance })
+}
 
-    /// Length in m from text with a unit.
-    fn length(&self, typed: &str) -> Result<f64, Refusal> {
-        let without_unit = number::parse(typed, self.play.style()).is_some_and(|(_, rest)| rest.is_empty());
-        if without_unit {
-            let typed: String = typed.trim().chars().take(40).collect();
-            return Err(self.film_refusal(&words!("{typed} has no unit. Enter a length such as 10 cm.")));
-        }
-        Ok(self.play.basis().read_value(typed, &Unit::si(Dimension::LENGTH))?)
+/// Length in m from text with a unit.
+fn metres(play: &Play, typed: &str) -> Result<f64, Refusal> {
+    let without_unit = number::parse(typed, play.style()).is_some_and(|(_, rest)| rest.is_empty());
+    if without_unit {
+        let typed: String = typed.trim().chars().take(40).collect();
+        return Err(refused(play, &words!("{typed} has no unit. Enter a length such as 10 cm.")));
     }
-
-    pub(crate) fn film_refusal(&self, why: &Words) -> Refusal {
-        Refusal::Film { why: why.text(self.play.language()).into_owned() }
-    }
-
-    pub(crate) fn no_film(&self) -> Refusal {
-        self.film_refusal(&words("No film is open. Open one first."))
-    }
+    Ok(play.basis().read_value(typed, &Unit::si(Dimension::LENGTH))?)
 }
 
 impl LengthsForm {

@@ -3,25 +3,52 @@
 use crate::films::opening::FilmOpening;
 use crate::films::recipe::{CameraSettings, FilmRecipe, hash};
 use crate::films::truth::{FilmTruth, TruthComparison, compared};
-use crate::{Desk, Refusal};
+use crate::films::{Films, ShownFilms, refused};
+use crate::{Changes, Refusal};
 use play::Play;
 use units::{Dimension, Words, words};
 
-impl Desk {
+impl Films {
+    /// Opens the film of a recipe with this number of frames in place of the open film. Work on a film of the same
+    /// recipe is continued.
+    ///
+    /// # Errors
+    ///
+    /// As [`Films::open`].
+    pub fn open_filmed(
+        &mut self,
+        play: &Play,
+        recipe: FilmRecipe,
+        frames: usize,
+        truth: FilmTruth,
+    ) -> Result<(FilmOpening, Changes), Refusal> {
+        let (opening, changes) = self.open(play, recipe.identity(), recipe.film(frames))?;
+        if let Some((open, work)) = self.current_mut() {
+            open.truth = Some(truth);
+            work.recipe = Some(recipe);
+        }
+        // Each recipe is another film, even with the same name.
+        let opening = if opening == FilmOpening::SameName { FilmOpening::New } else { opening };
+        Ok((opening, changes))
+    }
+}
+
+impl ShownFilms<'_> {
     /// Initial settings of the virtual camera.
     ///
     /// # Errors
     ///
     /// [`Refusal::Film`] if the simulation has no scene or no time in seconds.
-    pub fn usual_camera(&self) -> Result<CameraSettings, Refusal> {
+    pub fn usual_camera(self) -> Result<CameraSettings, Refusal> {
         let program = self.play.program();
         if program.scene(self.play.basis().tag()).is_none() {
-            return Err(self.film_refusal(&words("This document has no scene, so there is nothing to film.")));
+            return Err(refused(self.play, &words("This document has no scene, so there is nothing to film.")));
         }
         if self.play.model().independent.unit.dimension != Dimension::TIME {
-            return Err(
-                self.film_refusal(&words("A camera films in seconds, and this simulation does not run in time."))
-            );
+            return Err(refused(
+                self.play,
+                &words("A camera films in seconds, and this simulation does not run in time."),
+            ));
         }
         Ok(CameraSettings::usual(program.pace().per_second, program.until.unwrap_or(f64::INFINITY)))
     }
@@ -30,10 +57,10 @@ impl Desk {
     ///
     /// # Errors
     ///
-    /// As [`Desk::usual_camera`], and for invalid settings.
-    pub fn film_recipe(&self, settings: CameraSettings) -> Result<FilmRecipe, Refusal> {
+    /// As [`ShownFilms::usual_camera`], and for invalid settings.
+    pub fn recipe(self, settings: CameraSettings) -> Result<FilmRecipe, Refusal> {
         self.usual_camera()?;
-        settings.check().map_err(|why| self.film_refusal(&why))?;
+        settings.check().map_err(|why| refused(self.play, &why))?;
         Ok(FilmRecipe {
             document: self.play.program().edition(self.play.basis().tag()).title.clone(),
             source: hash(&self.document.source),
@@ -48,33 +75,16 @@ impl Desk {
     /// # Errors
     ///
     /// [`Refusal::Film`] for invalid settings, or a recipe of another document or another version of this one.
-    pub fn filmed_play(&self, recipe: &FilmRecipe) -> Result<Play, Refusal> {
-        recipe.settings.check().map_err(|why| self.film_refusal(&why))?;
+    pub fn filmed_play(self, recipe: &FilmRecipe) -> Result<Play, Refusal> {
+        recipe.settings.check().map_err(|why| refused(self.play, &why))?;
         let mut play = Play::open(self.play.program().clone());
         play.set_language(&recipe.language);
         let restored = recipe.source == hash(&self.document.source) && play.restore(&recipe.state).is_ok();
-        if restored { Ok(play) } else { Err(self.film_refusal(&other_document(&recipe.document))) }
-    }
-
-    /// Opens the film of a recipe with this number of frames in place of the open film. Work on a film of the same
-    /// recipe is continued.
-    ///
-    /// # Errors
-    ///
-    /// As [`Desk::open_film`].
-    pub fn open_filmed(&mut self, recipe: FilmRecipe, frames: usize, truth: FilmTruth) -> Result<FilmOpening, Refusal> {
-        let opening = self.open_film(recipe.identity(), recipe.film(frames))?;
-        if let Some((open, work)) = self.films.current_mut() {
-            open.truth = Some(truth);
-            work.recipe = Some(recipe);
-        }
-        self.revision.films += 1;
-        // Each recipe is another film, even with the same name.
-        Ok(if opening == FilmOpening::SameName { FilmOpening::New } else { opening })
+        if restored { Ok(play) } else { Err(refused(self.play, &other_document(&recipe.document))) }
     }
 
     /// Recipes of this document's films with stored work, the latest first, without that of the open film.
-    pub fn film_recipes(&self) -> Vec<FilmRecipe> {
+    pub fn recipes(self) -> Vec<FilmRecipe> {
         let source = hash(&self.document.source);
         let open = self.films.open.as_ref().map(|open| open.work);
         let others = self.films.works.iter().enumerate().filter(|(place, _)| Some(*place) != open);
@@ -83,7 +93,7 @@ impl Desk {
     }
 
     /// Comparison of the tracks of the open film with the truth; empty unless it is a film of a simulation.
-    pub fn compare_with_truth(&self) -> Vec<TruthComparison> {
+    pub fn compare_with_truth(self) -> Vec<TruthComparison> {
         let Some((open, work)) = self.films.current() else { return Vec::new() };
         open.truth.as_ref().map(|truth| compared(&work.tracks(), truth, &work.calibration)).unwrap_or_default()
     }

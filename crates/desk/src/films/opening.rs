@@ -5,8 +5,10 @@ use crate::films::identity::FilmIdentity;
 use crate::films::state::Open;
 use crate::films::subject::Subject;
 use crate::films::work::Work;
-use crate::{Desk, Refusal};
+use crate::films::{Films, refused};
+use crate::{Changes, Refusal};
 use film::calibration::Calibration;
+use play::Play;
 use units::words;
 
 /// Result of opening a film.
@@ -20,26 +22,25 @@ pub enum FilmOpening {
     SameName,
 }
 
-impl Desk {
+impl Films {
     /// Opens a film in place of the open one. Stored work on the film is continued.
     ///
     /// # Errors
     ///
     /// [`Refusal::Film`] if no two frames have different times.
-    pub fn open_film(
+    pub fn open(
         &mut self,
+        play: &Play,
         identity: FilmIdentity,
         container: film::containers::Film,
-    ) -> Result<FilmOpening, Refusal> {
+    ) -> Result<(FilmOpening, Changes), Refusal> {
         let clip = Clip::new(container);
         if clip.rate().is_none() {
-            return Err(
-                self.film_refusal(&words("The film has no two frames at different times: nothing moves in it."))
-            );
+            return Err(refused(play, &words("The film has no two frames at different times: nothing moves in it.")));
         }
-        self.close_film();
-        let known = self.films.works.iter().position(|work| work.identity.is_same_film(&identity));
-        let same_name = self.films.works.iter().any(|work| work.identity.name == identity.name);
+        let closed = self.close();
+        let known = self.works.iter().position(|work| work.identity.is_same_film(&identity));
+        let same_name = self.works.iter().any(|work| work.identity.name == identity.name);
         let opening = match known {
             Some(_) => FilmOpening::TakenUp,
             None if same_name => FilmOpening::SameName,
@@ -48,10 +49,10 @@ impl Desk {
         let place = known.unwrap_or_else(|| {
             let [_, high] = clip.size();
             let calibration = Calibration { origin: [0.0, high], ..Calibration::default() };
-            self.films.works.push(Work { identity, calibration, ..Work::default() });
-            self.films.works.len() - 1
+            self.works.push(Work { identity, calibration, ..Work::default() });
+            self.works.len() - 1
         });
-        if let Some(work) = self.films.works.get_mut(place) {
+        if let Some(work) = self.works.get_mut(place) {
             work.stated_factor = clip.stated_factor().unwrap_or(1.0);
             work.ends = clip.ends(work.part);
             // Stored text is not trusted: a subject that does not fit this film is discarded.
@@ -59,7 +60,7 @@ impl Desk {
                 work.subject = Subject::Nothing;
             }
         }
-        self.films.open = Some(Open {
+        self.open = Some(Open {
             work: place,
             clip,
             following: None,
@@ -71,17 +72,16 @@ impl Desk {
             pictures: Vec::new(),
             still: None,
         });
-        self.revision.films += 1;
-        Ok(opening)
+        Ok((opening, closed | Changes::FILMS))
     }
 
     /// Closes the film. The work on it is kept, unless it is empty.
-    pub fn close_film(&mut self) {
-        let Some(open) = self.films.open.take() else { return };
+    pub fn close(&mut self) -> Changes {
+        let Some(open) = self.open.take() else { return Changes::NONE };
         let empty = |work: &Work| work.found.is_none() && work.subject.is_nothing() && work.form == Default::default();
-        if self.films.works.get(open.work).is_some_and(empty) {
-            self.films.works.remove(open.work);
+        if self.works.get(open.work).is_some_and(empty) {
+            self.works.remove(open.work);
         }
-        self.revision.films += 1;
+        Changes::FILMS
     }
 }

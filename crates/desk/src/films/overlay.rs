@@ -1,12 +1,16 @@
 //! Comparison of film and model: position of the model in the picture of a frame, and the frame of a model time.
 
-use crate::Desk;
 use crate::films::record::table;
 use crate::films::work::Work;
+use crate::films::{Films, ShownFilms};
+use crate::opened::OpenDocument;
+use crate::records::Records;
 use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
+use document::Document;
 use engine::Readings;
 use film::tracking::Track;
+use play::Play;
 use units::Unit;
 
 /// Readings of the quantities that the columns of a track measure.
@@ -17,52 +21,57 @@ struct Model {
     coordinates: Vec<Option<(usize, Unit, f64)>>,
 }
 
-impl Desk {
-    /// Position of the model in a frame of the open film, px of the upright picture. It uses the quantities that the
-    /// columns of this track measure, and the time origin of the record. A coordinate without a quantity in the model
-    /// is the measured one. `None` if the run has not reached the time, without a record, or if no column measures a
+impl Films {
+    /// Positions of the model in frames of the open film, px of the upright picture. They use the quantities that the
+    /// columns of this track measure, and the time origin of the record. A coordinate without a quantity in the model is
+    /// the measured one. `None` if the run has not reached the time, without a record, or if no column measures a
     /// quantity of the model.
-    pub fn film_model_at(&mut self, track: usize, frame: usize) -> Option<[f64; 2]> {
-        self.film_model(track, &[frame]).into_iter().next().flatten()
-    }
-
-    /// Positions of the model in several frames, as [`Desk::film_model_at`]: the curve over a space-time picture.
-    pub fn film_model(&mut self, track: usize, frames: &[usize]) -> Vec<Option<[f64; 2]>> {
+    pub(crate) fn model(
+        &self,
+        play: &mut Play,
+        document: &Document,
+        records: &Records,
+        track: usize,
+        frames: &[usize],
+    ) -> Vec<Option<[f64; 2]>> {
         let nothing = || vec![None; frames.len()];
-        let Some((_, work)) = self.films.current() else { return nothing() };
-        let work = work.clone();
-        let (Some(mut model), Some(own)) = (self.film_quantities(&work, track), work.tracks().into_iter().nth(track))
-        else {
+        let Some((_, work)) = self.current() else { return nothing() };
+        let (Some(mut model), Some(own)) = (
+            self.shown(OpenDocument { play, document }, records).quantities(work, track),
+            work.tracks().into_iter().nth(track),
+        ) else {
             return nothing();
         };
-        let mut state = vec![0.0; self.play.model().states.len()];
+        let mut state = vec![0.0; play.model().states.len()];
         let mut place = |frame: &usize| {
-            let time = self.model_time_of(*frame)?;
-            if !(0.0..=self.play.course().front()).contains(&time) {
+            let time = self.shown(OpenDocument { play, document }, records).model_time_of(*frame)?;
+            if !(0.0..=play.course().front()).contains(&time) {
                 return None;
             }
-            let parameters = self.play.state_at(time, &mut state)?;
-            let values = model.readings.at(&parameters, self.play.course().initial(), time, &state);
+            let parameters = play.state_at(time, &mut state)?;
+            let values = model.readings.at(&parameters, play.course().initial(), time, &state);
             let number = |k: usize| {
                 let (reading, unit, offset) = model.coordinates.get(k)?.as_ref()?;
                 values.get(*reading).map(|value| unit.from_si(value + offset)).filter(|value| value.is_finite())
             };
-            position(&work, &own, *frame, [number(0), number(1)])
+            position(work, &own, *frame, [number(0), number(1)])
         };
         frames.iter().map(&mut place).collect()
     }
+}
 
+impl ShownFilms<'_> {
     /// Model time (SI) of a frame of the open film.
-    pub fn model_time_of(&self, frame: usize) -> Option<f64> {
+    pub fn model_time_of(self, frame: usize) -> Option<f64> {
         let (open, work) = self.films.current()?;
         let taken = open.clip.times().get(frame)? / work.factor();
-        Some(taken - self.film_origin(work)?)
+        Some(taken - self.origin_of(work)?)
     }
 
     /// Frame of the open film nearest to a model time (SI).
-    pub fn frame_at_model_time(&self, time: f64) -> Option<usize> {
+    pub fn frame_at_model_time(self, time: f64) -> Option<usize> {
         let (open, work) = self.films.current()?;
-        let shown = (time + self.film_origin(work)?) * work.factor();
+        let shown = (time + self.origin_of(work)?) * work.factor();
         let times = open.clip.times();
         let next = times.partition_point(|other| *other < shown);
         let far = |frame: &usize| times.get(*frame).map_or(f64::INFINITY, |other| (other - shown).abs());
@@ -72,13 +81,13 @@ impl Desk {
             .min_by(|one, other| far(one).total_cmp(&far(other)))
     }
 
-    fn film_origin(&self, work: &Work) -> Option<f64> {
+    fn origin_of(self, work: &Work) -> Option<f64> {
         let model = self.play.model();
-        Some(self.record(work.record?)?.origin(&model.independent.name, model.is_autonomous()))
+        Some(self.records.get(work.record?)?.origin(&model.independent.name, model.is_autonomous()))
     }
 
-    fn film_quantities(&self, work: &Work, track: usize) -> Option<Model> {
-        let record = self.record(work.record?)?;
+    fn quantities(self, work: &Work, track: usize) -> Option<Model> {
+        let record = self.records.get(work.record?)?;
         let model = self.play.model();
         let table = table(work)?;
         // Order of the columns: the time, then values and errors of each track.
@@ -102,9 +111,9 @@ impl Desk {
 
 /// Use of a column, if it measures a quantity and its unit is known.
 fn use_of<'a>(record: &'a Record, column: usize, independent: &str) -> Option<&'a Use> {
-    let used = record.uses.get(column)?;
+    let used = record.uses().get(column)?;
     let quantity = &used.meaning.quantity;
-    let measures = !quantity.is_empty() && quantity != independent && !record.asks_for_unit(&record.uses, column);
+    let measures = !quantity.is_empty() && quantity != independent && !record.asks_for_unit(record.uses(), column);
     measures.then_some(used)
 }
 

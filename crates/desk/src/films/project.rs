@@ -18,7 +18,7 @@ const RULER: f64 = 0.8;
 /// Film in the archive of a Tracker project that has become a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProjectFilm {
-    pub(super) record: u32,
+    record: u32,
     packed: PackedFilm,
     pub(super) project: Box<Project>,
 }
@@ -27,6 +27,11 @@ impl ProjectFilm {
     pub(crate) fn new(record: u32, project: Box<Project>) -> Option<Self> {
         let packed = project.film.as_ref().filter(|film| !film.pictures)?.packed.clone()?;
         Some(Self { record, packed, project })
+    }
+
+    /// Id of the record of the project.
+    pub(crate) fn record(&self) -> u32 {
+        self.record
     }
 
     /// File name of the film, without folders.

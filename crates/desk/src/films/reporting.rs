@@ -1,6 +1,6 @@
 //! Films in the report of a fit.
 
-use crate::Desk;
+use crate::films::Films;
 use crate::films::clip::Clip;
 use crate::films::lengths::LengthsForm;
 use crate::films::overlay::position;
@@ -10,22 +10,23 @@ use crate::films::view::work_notes;
 use crate::films::work::Work;
 use crate::fits::fit::Fitted;
 use film::tracking::Track;
+use play::Play;
 use report::{Film, FilmFile, FilmPicture, Frame};
 use units::Words;
 
-impl Desk {
+impl Films {
     /// Films from which the records of a fit come. Pictures are included only of the open film, if it was tracked since
     /// it was opened: films are not stored.
-    pub(crate) fn films_of(&self, fit: &Fitted) -> Vec<Film> {
+    pub(crate) fn of_fit(&self, play: &Play, fit: &Fitted) -> Vec<Film> {
         let parts = fit.definition.parts.iter().enumerate();
-        parts.filter_map(|(place, part)| self.film_of(fit, place, part.record)).collect()
+        parts.filter_map(|(place, part)| self.film_of(play, fit, place, part.record)).collect()
     }
 
     /// Description of the film of a record, without pictures.
-    pub(crate) fn film_described(&self, record: u32) -> Option<Film> {
-        let work = self.films.of_record(record)?;
+    pub(crate) fn described(&self, play: &Play, record: u32) -> Option<Film> {
+        let work = self.of_record(record)?;
         let clip = self.open_of(work).map(|open| &open.clip);
-        let language = self.play.language();
+        let language = play.language();
         let sentence = |words: &Words| units::sentence(&words.text(language));
         let times = clip.map(Clip::notes).unwrap_or_default();
         Some(Film {
@@ -38,12 +39,12 @@ impl Desk {
 
     /// Open film, if `work` belongs to it.
     fn open_of(&self, work: &Work) -> Option<&Open> {
-        self.films.current().filter(|(_, own)| own.identity.is_same_film(&work.identity)).map(|(open, _)| open)
+        self.current().filter(|(_, own)| own.identity.is_same_film(&work.identity)).map(|(open, _)| open)
     }
 
-    fn film_of(&self, fit: &Fitted, place: usize, record: u32) -> Option<Film> {
-        let work = self.films.of_record(record)?;
-        let mut film = self.film_described(record)?;
+    fn film_of(&self, play: &Play, fit: &Fitted, place: usize, record: u32) -> Option<Film> {
+        let work = self.of_record(record)?;
+        let mut film = self.described(play, record)?;
         let Some(open) = self.open_of(work) else { return Some(film) };
         let tracks = work.tracks();
         let fitted: Vec<Vec<(usize, [f64; 2])>> =

@@ -1,22 +1,11 @@
-//! Films of a desk.
+//! The open film.
 
 use crate::films::clip::Clip;
-use crate::films::project::ProjectFilm;
 use crate::films::truth::FilmTruth;
-use crate::films::work::Work;
 use film::Plane;
 use film::tracking::Following;
 use film::tracking::column::SpaceTimePicture;
 use units::Words;
-
-/// Work on all films, and the open film.
-#[derive(Debug, Default)]
-pub(crate) struct Films {
-    pub works: Vec<Work>,
-    pub open: Option<Open>,
-    /// Film in the archive of the last imported project, until it is taken.
-    pub project: Option<ProjectFilm>,
-}
 
 /// Open film.
 #[derive(Debug)]
@@ -47,24 +36,4 @@ pub(crate) struct Open {
 pub(crate) struct Still {
     pub frame: usize,
     pub plane: Plane,
-}
-
-impl Films {
-    /// Open film and the work on it.
-    pub fn current(&self) -> Option<(&Open, &Work)> {
-        let open = self.open.as_ref()?;
-        Some((open, self.works.get(open.work)?))
-    }
-
-    /// Open film and the work on it, mutable.
-    pub fn current_mut(&mut self) -> Option<(&mut Open, &mut Work)> {
-        let open = self.open.as_mut()?;
-        let work = self.works.get_mut(open.work)?;
-        Some((open, work))
-    }
-
-    /// Work from which a record comes.
-    pub fn of_record(&self, id: u32) -> Option<&Work> {
-        self.works.iter().find(|work| work.record == Some(id))
-    }
 }

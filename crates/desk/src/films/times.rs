@@ -2,11 +2,13 @@
 
 use crate::films::clip::Clip;
 use crate::films::record::Kept;
-use crate::{Desk, Refusal, number};
+use crate::films::{Films, no_film, refused};
+use crate::{Refusal, number};
 use film::timing::LARGEST_FACTOR;
+use play::Play;
 use units::words;
 
-impl Desk {
+impl Films {
     /// Sets the factor of slow motion, the duration of playback relative to that of the recording, from text: `8`, or a
     /// quotient of rates `240/30`. An empty text selects the factor stated by the file. Updates the times of the
     /// record.
@@ -14,35 +16,18 @@ impl Desk {
     /// # Errors
     ///
     /// [`Refusal::Film`] for a text that is not a factor within the bounds, or without an open film.
-    pub fn set_film_factor(&mut self, typed: &str) -> Result<(), Refusal> {
+    pub fn set_factor(&mut self, play: &Play, typed: &str) -> Result<Option<Kept>, Refusal> {
         let factor = match typed.trim() {
             "" => None,
-            typed => Some(self.factor(typed)?),
+            typed => Some(factor(play, typed)?),
         };
-        let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
+        let Some((open, work)) = self.current_mut() else { return Err(no_film(play)) };
         work.factor = factor;
         // Times of later frames would not match those already taken.
         if open.running {
             (open.following, open.running) = (None, false);
         }
-        self.film_changed(Kept { origin: false, offsets: true })
-    }
-
-    fn factor(&self, typed: &str) -> Result<f64, Refusal> {
-        let style = self.play.style();
-        let read = || {
-            let (value, rest) = number::parse(typed, style)?;
-            match rest.strip_prefix('/') {
-                None => rest.is_empty().then_some(value),
-                Some(rest) => number::parse(rest, style).filter(|(_, rest)| rest.is_empty()).map(|(by, _)| value / by),
-            }
-        };
-        read().filter(|factor| (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)).ok_or_else(|| {
-            let typed: String = typed.chars().take(40).collect();
-            self.film_refusal(&words!(
-                "{typed} is not possible. Enter how many times slower the film plays than things happened, such as 8 or 240/30."
-            ))
-        })
+        Ok(Some(Kept { origin: false, offsets: true }))
     }
 
     /// Sets the used part of the film in s of playback; `None` is an end of the film. Rows outside are removed from the
@@ -51,19 +36,37 @@ impl Desk {
     /// # Errors
     ///
     /// [`Refusal::Film`] for a part with fewer than two frames, or without an open film.
-    pub fn set_film_part(&mut self, part: [Option<f64>; 2]) -> Result<(), Refusal> {
-        let Some((open, work)) = self.films.current_mut() else { return Err(self.no_film()) };
+    pub fn set_part(&mut self, play: &Play, part: [Option<f64>; 2]) -> Result<Option<Kept>, Refusal> {
+        let Some((open, work)) = self.current_mut() else { return Err(no_film(play)) };
         let part = part.map(|end| end.filter(|end| end.is_finite()));
         let ends = open.clip.ends(part);
         if ends[0] >= ends[1] {
-            return Err(self.film_refusal(&words("Fewer than two frames lie in this part. Choose a longer one.")));
+            return Err(refused(play, &words("Fewer than two frames lie in this part. Choose a longer one.")));
         }
         (work.part, work.ends) = (part, ends);
         if open.running {
             (open.following, open.running) = (None, false);
         }
-        self.film_changed(Kept { origin: false, offsets: true })
+        Ok(Some(Kept { origin: false, offsets: true }))
     }
+}
+
+/// Factor of slow motion from text.
+fn factor(play: &Play, typed: &str) -> Result<f64, Refusal> {
+    let style = play.style();
+    let read = || {
+        let (value, rest) = number::parse(typed, style)?;
+        match rest.strip_prefix('/') {
+            None => rest.is_empty().then_some(value),
+            Some(rest) => number::parse(rest, style).filter(|(_, rest)| rest.is_empty()).map(|(by, _)| value / by),
+        }
+    };
+    read().filter(|factor| (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)).ok_or_else(|| {
+        let typed: String = typed.chars().take(40).collect();
+        refused(play, &words!(
+            "{typed} is not possible. Enter how many times slower the film plays than things happened, such as 8 or 240/30."
+        ))
+    })
 }
 
 impl Clip {

@@ -1,5 +1,6 @@
 //! Content of the open film for display.
 
+use crate::films::ShownFilms;
 use crate::films::clip::Clip;
 use crate::films::doubt::{DoubtfulFrame, doubts, plainly};
 use crate::films::identity::FilmIdentity;
@@ -10,7 +11,7 @@ use crate::films::state::Open;
 use crate::films::subject::Subject;
 use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
-use crate::{Desk, number};
+use crate::number;
 use film::calibration::{Calibration, Lengths};
 use film::tracking::column::SpaceTimePicture;
 use film::tracking::{Outline, Track};
@@ -36,22 +37,22 @@ pub struct BodyOutline {
     pub is_set: bool,
 }
 
-impl Desk {
+impl<'a> ShownFilms<'a> {
     /// Open film, if any.
-    pub fn film(&self) -> Option<OpenFilm<'_>> {
+    pub fn current(self) -> Option<OpenFilm<'a>> {
         self.films.current().map(|(open, work)| OpenFilm { open, work })
     }
 
     /// Notes on file, times, camera and scale of the open film, as sentences in the chosen language.
-    pub fn film_notes(&self) -> Vec<String> {
-        let Some(film) = self.film() else { return Vec::new() };
+    pub fn notes(self) -> Vec<String> {
+        let Some(film) = self.current() else { return Vec::new() };
         let sentence = |words: Words| units::sentence(&words.text(self.play.language()));
         film.notes().into_iter().map(sentence).collect()
     }
 
     /// Measured position in a frame of the open film, such as `y_2 = 0.0413 ± 0.0002 m`, with two numbers for a body.
     /// `None` if the track has no point there.
-    pub fn film_position(&self, track: usize, frame: usize) -> Option<String> {
+    pub fn position(self, track: usize, frame: usize) -> Option<String> {
         let table = table(self.films.current()?.1)?;
         let row = table.frames.binary_search(&frame).ok()?;
         let text = |one: &film::table::Quantity| {

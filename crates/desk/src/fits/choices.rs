@@ -1,9 +1,11 @@
 //! Settings of a fit: participating records, varied numbers, numbers shared between records, and the fitted time
 //! window.
 
+use crate::fits::{FitData, Fits, ShownFits};
 use crate::records::record::Record;
-use crate::{Desk, Refusal, number, words};
+use crate::{Changes, Refusal, number, words};
 use analysis::fit::{Loss, Target, Varied};
+use play::Play;
 
 /// A record in the list of records that can be fitted together.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +23,7 @@ pub struct FitRecordView {
 /// A number that a fit can vary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChoiceView {
-    /// Index in the list, for [`Desk::vary`].
+    /// Index in the list, for [`Fits::vary`].
     pub index: usize,
     /// Name in the document; empty for the zeros of the clock and of the scale.
     pub name: String,
@@ -51,43 +53,102 @@ pub struct KnownView {
 /// Keys of the two zeros in `Setup::same`. No parameter can have such a name.
 const ZEROS: [&str; 2] = ["zero of the clock", "zero of the scale"];
 
-impl Desk {
-    /// Id of the chosen record; the latest one if none was chosen.
-    pub fn chosen_record(&self) -> Option<u32> {
-        let exists = |id: &u32| self.record(*id).is_some();
-        self.fits.setup.chosen.filter(exists).or_else(|| self.data.records.last().map(|record| record.id))
-    }
-
-    /// The records that can be fitted, oldest first.
-    pub fn fit_records(&self) -> Vec<FitRecordView> {
-        let chosen = self.chosen_record();
-        let view = |record: &Record| FitRecordView {
-            id: record.id,
-            name: record.name.clone(),
-            chosen: Some(record.id) == chosen,
-            taking_part: Some(record.id) == chosen || self.fits.setup.others.contains(&record.id),
-        };
-        self.data.records.iter().map(view).collect()
-    }
-
+impl Fits {
     /// Adds a record to the fit or removes it. The chosen record always takes part.
-    pub fn fit_with(&mut self, id: u32, takes_part: bool) {
-        let others = &mut self.fits.setup.others;
+    pub fn include(&mut self, id: u32, takes_part: bool) -> Changes {
+        let others = &mut self.setup.others;
         if takes_part {
             others.insert(id)
         } else {
             others.remove(&id)
         };
-        self.revision.fits += 1;
+        Changes::FITS
+    }
+
+    /// Sets whether a fit varies a number. `choice` is an index of [`ShownFits::choices`].
+    pub fn vary(&mut self, play: &Play, choice: usize, varied: bool) -> Changes {
+        let Some(name) = choice_name(play, choice) else { return Changes::NONE };
+        let parameters = play.model().parameters.len();
+        let setup = &mut self.setup;
+        match choice.checked_sub(parameters) {
+            Some(zero) => setup.zeros.iter_mut().skip(zero).take(1).for_each(|place| *place = Some(varied)),
+            None => setup.varied.iter_mut().skip(choice).take(1).for_each(|place| *place = varied),
+        }
+        // Varied and fixed numbers have different defaults of `same`.
+        setup.same.remove(&name);
+        Changes::FITS
+    }
+
+    /// Sets whether all records share one value of a number or each record has its own.
+    pub fn set_same(&mut self, play: &Play, choice: usize, same: bool) -> Changes {
+        let Some(name) = choice_name(play, choice) else { return Changes::NONE };
+        self.setup.same.insert(name, same);
+        Changes::FITS
+    }
+
+    /// Chooses the loss function by its index in [`ShownFits::losses`].
+    pub fn set_loss(&mut self, place: usize) -> Changes {
+        let Some(loss) = Loss::ALL.get(place) else { return Changes::NONE };
+        self.setup.loss = *loss;
+        Changes::FITS
+    }
+
+    /// Sets one end of the fitted time window from typed text: `end` is 0 for the start, 1 for the end. Empty text
+    /// leaves the end open.
+    ///
+    /// # Errors
+    /// The text is not a time.
+    pub fn set_window(&mut self, play: &Play, end: usize, typed: &str) -> Result<Changes, Refusal> {
+        let value = match typed.trim() {
+            "" => None,
+            typed => Some(play.basis().read_value(typed, &play.model().independent.unit)?),
+        };
+        if let Some(place) = self.setup.window.get_mut(end) {
+            *place = value;
+        }
+        Ok(Changes::FITS)
+    }
+
+    /// Sets the fitted time window on the record clocks, SI; `None` is open.
+    pub fn set_fitted_part(&mut self, part: [Option<f64>; 2]) -> Changes {
+        let changes = Changes::FITS.only_if(self.setup.window != part);
+        self.setup.window = part;
+        changes
+    }
+
+    /// Sets the fitted time window to the range of the zoomed plot.
+    pub fn take_part_in_plot(&mut self, data: FitData<'_>) -> Changes {
+        let part = self.shown(data).part_in_plot();
+        part.map_or(Changes::NONE, |part| self.set_fitted_part(part.map(Some)))
+    }
+}
+
+impl ShownFits<'_> {
+    /// Id of the chosen record; the latest one if none was chosen.
+    pub fn chosen_record(self) -> Option<u32> {
+        let exists = |id: &u32| self.records.get(*id).is_some();
+        self.fits.setup.chosen.filter(exists).or_else(|| self.records.all().last().map(Record::id))
+    }
+
+    /// The records that can be fitted, oldest first.
+    pub fn records(self) -> Vec<FitRecordView> {
+        let chosen = self.chosen_record();
+        let view = |record: &Record| FitRecordView {
+            id: record.id(),
+            name: record.name().to_owned(),
+            chosen: Some(record.id()) == chosen,
+            taking_part: Some(record.id()) == chosen || self.fits.setup.others.contains(&record.id()),
+        };
+        self.records.all().iter().map(view).collect()
     }
 
     /// Ids of the records that take part, oldest first.
-    pub(crate) fn taking_part(&self) -> Vec<u32> {
-        self.fit_records().into_iter().filter(|record| record.taking_part).map(|record| record.id).collect()
+    pub(crate) fn taking_part(self) -> Vec<u32> {
+        self.records().into_iter().filter(|record| record.taking_part).map(|record| record.id).collect()
     }
 
     /// Numbers that a fit can vary: the numeric parameters, then the zero of the clock, then the zero of the scale.
-    pub fn fit_choices(&self) -> Vec<ChoiceView> {
+    pub fn choices(self) -> Vec<ChoiceView> {
         let parameters = self.play.model().shown_parameters();
         let numbers = parameters.filter(|(_, parameter)| parameter.choices == program::Choices::Numbers);
         let parameters = numbers.map(|(index, parameter)| {
@@ -118,93 +179,27 @@ impl Desk {
     }
 
     /// True if several records take part.
-    fn is_several(&self) -> bool {
+    fn is_several(self) -> bool {
         self.taking_part().len() > 1
     }
 
     /// Value of a parameter in each record that takes part.
-    fn known_views(&self, index: usize) -> Vec<KnownView> {
-        let Some(parameter) = self.play.model().parameters.get(index) else { return Vec::new() };
-        let slider = self.play.course().parameters().get(index).copied().unwrap_or(parameter.value);
+    fn known_views(self, index: usize) -> Vec<KnownView> {
         let view = |record: &Record| KnownView {
-            record: record.id,
-            name: record.name.clone(),
-            text: {
-                let value = record.known.get(&parameter.name).copied().unwrap_or(slider);
-                number::plain(parameter.unit.from_si(value), play::DIGITS, self.play.style())
-            },
+            record: record.id(),
+            name: record.name().to_owned(),
+            text: self.records.known_text(self.open(), record.id(), index),
         };
-        self.taking_part().into_iter().filter_map(|id| self.record(id)).map(view).collect()
-    }
-
-    /// Sets whether a fit varies a number. `choice` is an index of [`Desk::fit_choices`].
-    pub fn vary(&mut self, choice: usize, varied: bool) {
-        let Some(name) = self.choice_name(choice) else { return };
-        let parameters = self.play.model().parameters.len();
-        let setup = &mut self.fits.setup;
-        match choice.checked_sub(parameters) {
-            Some(zero) => setup.zeros.iter_mut().skip(zero).take(1).for_each(|place| *place = Some(varied)),
-            None => setup.varied.iter_mut().skip(choice).take(1).for_each(|place| *place = varied),
-        }
-        // Varied and fixed numbers have different defaults of `same`.
-        setup.same.remove(&name);
-        self.revision.fits += 1;
-    }
-
-    /// Sets whether all records share one value of a number or each record has its own.
-    pub fn set_same(&mut self, choice: usize, same: bool) {
-        if let Some(name) = self.choice_name(choice) {
-            self.fits.setup.same.insert(name, same);
-            self.revision.fits += 1;
-        }
-    }
-
-    /// Sets the value of a parameter in one record from typed text. Empty text restores the value of the slider.
-    ///
-    /// # Errors
-    /// The text is not a number, has the wrong unit, or lies outside the range of the parameter.
-    pub fn set_known(&mut self, choice: usize, record: u32, typed: &str) -> Result<(), Refusal> {
-        let unknown = || Refusal::unknown(choice);
-        let parameter = self.play.model().parameters.get(choice).filter(|own| own.is_shown()).ok_or_else(unknown)?;
-        let (name, unit) = (parameter.name.clone(), parameter.unit.clone());
-        let shown = self.known_views(choice).into_iter().find(|view| view.record == record);
-        let value = match typed.trim() {
-            "" => None,
-            typed => match self.play.basis().read_field(
-                self.play.course(),
-                typed,
-                shown.as_ref().map_or("", |view| &view.text),
-                &unit,
-            )? {
-                Some(value) => Some(self.play.basis().admit(choice, value)?),
-                None => return Ok(()),
-            },
-        };
-        if let Some(record) = self.record_mut(record) {
-            match value {
-                Some(value) => record.known.insert(name, value),
-                None => record.known.remove(&name),
-            };
-        }
-        self.revision.fits += 1;
-        Ok(())
-    }
-
-    /// Name of a parameter, or key of a zero, by its index in [`Desk::fit_choices`].
-    fn choice_name(&self, choice: usize) -> Option<String> {
-        let parameters = &self.play.model().parameters;
-        match choice.checked_sub(parameters.len()) {
-            Some(zero) => ZEROS.get(zero).map(|name| (*name).to_owned()),
-            None => parameters.get(choice).filter(|own| own.is_shown()).map(|parameter| parameter.name.clone()),
-        }
+        self.taking_part().into_iter().filter_map(|id| self.records.get(id)).map(view).collect()
     }
 
     /// The varied numbers of a fit of the open document.
-    pub(crate) fn varied(&self) -> Vec<Varied> {
+    pub(crate) fn varied(self) -> Vec<Varied> {
         let setup = &self.fits.setup;
         let targets = setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
-        let mut targets: Vec<(Target, String)> =
-            targets.map(|(index, _)| (Target::Parameter(index), self.choice_name(index).unwrap_or_default())).collect();
+        let mut targets: Vec<(Target, String)> = targets
+            .map(|(index, _)| (Target::Parameter(index), choice_name(self.play, index).unwrap_or_default()))
+            .collect();
         for ((varied, target), name) in
             self.varied_zeros().into_iter().zip([Target::Origin, Target::Offset(0)]).zip(ZEROS)
         {
@@ -218,86 +213,55 @@ impl Desk {
     }
 
     /// The zero of the scale as a varied number.
-    pub(super) fn varied_zero(&self) -> Varied {
+    pub(super) fn varied_zero(self) -> Varied {
         let shared = self.fits.setup.is_same(ZEROS[1], true);
         Varied { target: Target::Offset(0), shared, ..Varied::parameter(0) }
     }
 
     /// Names of the loss functions, and the index of the chosen one.
-    pub fn fit_losses(&self) -> (Vec<&'static str>, usize) {
+    pub fn losses(self) -> (Vec<&'static str>, usize) {
         let names = Loss::ALL.iter().map(|loss| loss.name(self.play.language())).collect();
         (names, Loss::ALL.iter().position(|loss| *loss == self.fits.setup.loss).unwrap_or_default())
     }
 
-    /// Chooses the loss function by its index in [`Desk::fit_losses`].
-    pub fn set_fit_loss(&mut self, place: usize) {
-        if let Some(loss) = Loss::ALL.get(place) {
-            self.fits.setup.loss = *loss;
-            self.revision.fits += 1;
-        }
-    }
-
     /// Texts of the fields for the start and the end of the fitted time window; empty if open.
-    pub fn fit_window(&self) -> [String; 2] {
+    pub fn window(self) -> [String; 2] {
         let unit = &self.play.model().independent.unit;
         let shown = |end: f64| number::plain(unit.from_si(end), 6, self.play.style());
         self.fits.setup.window.map(|end| end.map_or_else(String::new, shown))
     }
 
-    /// Sets one end of the fitted time window from typed text: `end` is 0 for the start, 1 for the end. Empty text
-    /// leaves the end open.
-    ///
-    /// # Errors
-    /// The text is not a time.
-    pub fn set_fit_window(&mut self, end: usize, typed: &str) -> Result<(), Refusal> {
-        let value = match typed.trim() {
-            "" => None,
-            typed => Some(self.play.basis().read_value(typed, &self.play.model().independent.unit)?),
-        };
-        if let Some(place) = self.fits.setup.window.get_mut(end) {
-            *place = value;
-        }
-        self.revision.fits += 1;
-        Ok(())
-    }
-
     /// Start and end of the fitted time window on the record clocks, SI; `None` is open.
-    pub fn fitted_part(&self) -> [Option<f64>; 2] {
+    pub fn fitted_part(self) -> [Option<f64>; 2] {
         self.fits.setup.window
     }
 
-    /// Sets the fitted time window on the record clocks, SI; `None` is open.
-    pub fn set_fitted_part(&mut self, part: [Option<f64>; 2]) {
-        if self.fits.setup.window != part {
-            self.fits.setup.window = part;
-            self.revision.fits += 1;
-        }
-    }
-
     /// True if a plot is zoomed to a time range that can become the fitted window.
-    pub fn has_part_in_plot(&self) -> bool {
+    pub fn has_part_in_plot(self) -> bool {
         self.part_in_plot().is_some()
-    }
-
-    /// Sets the fitted time window to the range of the zoomed plot.
-    pub fn take_part_in_plot(&mut self) {
-        if let Some(part) = self.part_in_plot() {
-            self.set_fitted_part(part.map(Some));
-        }
     }
 
     /// Time range of the zoomed plot on the clocks of the records that take part, SI. `None` if no plot is zoomed, or if the
     /// model begins at different readings of these clocks, so that no common range corresponds to the plot.
-    fn part_in_plot(&self) -> Option<[f64; 2]> {
+    fn part_in_plot(self) -> Option<[f64; 2]> {
         let part = self.play.plots().zoomed_part()?;
         let model = self.play.model();
         let taking_part: Vec<u32> =
-            self.fit_records().iter().filter(|choice| choice.taking_part).map(|choice| choice.id).collect();
-        let mut origins = (self.data.records.iter())
-            .filter(|record| taking_part.contains(&record.id))
+            self.records().iter().filter(|choice| choice.taking_part).map(|choice| choice.id).collect();
+        let mut origins = (self.records.all().iter())
+            .filter(|record| taking_part.contains(&record.id()))
             .map(|record| record.origin(&model.independent.name, model.is_autonomous()));
         let origin = origins.next()?;
         let unit = &model.independent.unit;
         origins.all(|other| other == origin).then(|| [part.low, part.high].map(|end| unit.to_si(end) + origin))
+    }
+}
+
+/// Name of a parameter, or key of a zero, by its index in [`ShownFits::choices`].
+fn choice_name(play: &Play, choice: usize) -> Option<String> {
+    let parameters = &play.model().parameters;
+    match choice.checked_sub(parameters.len()) {
+        Some(zero) => ZEROS.get(zero).map(|name| (*name).to_owned()),
+        None => parameters.get(choice).filter(|own| own.is_shown()).map(|parameter| parameter.name.clone()),
     }
 }

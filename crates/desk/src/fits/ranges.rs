@@ -1,8 +1,9 @@
 //! Comparison of the period of a record with the periods that the open document has within the ranges of its parameters.
 
+use crate::fits::ShownFits;
 use crate::records::measurement::{recorded, value_at};
 use crate::records::recognise::observed;
-use crate::{Desk, number};
+use crate::{Revision, number};
 use analysis::cycles::{NoCycles, cycles};
 use engine::{Method, Setup};
 use program::{Model, NodeId};
@@ -53,26 +54,27 @@ pub struct PeriodComparison {
     ended: bool,
 }
 
-impl Desk {
-    /// Question whether the open document can hold the chosen record; `None` if no column is fitted.
-    pub fn period_question(&self) -> Option<PeriodQuestion> {
-        let record = self.record(self.chosen_record()?)?;
-        let column = record.uses.iter().position(|used| used.fitted)?;
-        let observed = observed(self.play.model(), &record.uses.get(column)?.meaning.quantity)?;
+impl ShownFits<'_> {
+    /// Question whether the open document can hold the chosen record; `None` if no column is fitted. `revision`: that of the
+    /// desk.
+    pub fn period_question(self, revision: Revision) -> Option<PeriodQuestion> {
+        let record = self.records.get(self.chosen_record()?)?;
+        let column = record.uses().iter().position(|used| used.fitted)?;
+        let observed = observed(self.play.model(), &record.uses().get(column)?.meaning.quantity)?;
         Some(PeriodQuestion {
-            series: (record.id, column),
+            series: (record.id(), column),
             quantity: observed.node,
-            records: self.revision.records,
+            records: revision.records,
             values: self.play.course().parameters().to_vec(),
             varied: self.fits.setup.varied.clone(),
         })
     }
 
     /// Begins a comparison. `None` if a varied parameter has no range, or the record no rows.
-    pub fn compare_periods(&self, question: PeriodQuestion) -> Option<PeriodComparison> {
+    pub fn compare_periods(self, question: PeriodQuestion) -> Option<PeriodComparison> {
         let model = self.play.model();
         let (record, column) = question.series;
-        let (mut times, mut values) = self.record(record)?.series(column, &model.independent.name)?;
+        let (mut times, mut values) = self.records.get(record)?.series(column, &model.independent.name)?;
         times.truncate(MOST_ROWS);
         values.truncate(MOST_ROWS);
         let varied = question.varied.iter().zip(&model.parameters).enumerate();
@@ -91,7 +93,7 @@ impl Desk {
 
     /// Reason why the open document cannot hold the record of a finished comparison: the record oscillates, and all periods that
     /// the document has are much longer or all much shorter. `None` if it can, or if that is not known.
-    pub fn cannot_hold(&self, comparison: &PeriodComparison) -> Option<String> {
+    pub fn cannot_hold(self, comparison: &PeriodComparison) -> Option<String> {
         let own = comparison.own.filter(|_| comparison.ended)?;
         let (shortest, longest) = comparison.periods()?;
         if shortest <= own * NEAR && longest >= own / NEAR {

@@ -1,8 +1,9 @@
 //! Reports and spreadsheets of finished fits.
 
+use crate::fits::ShownFits;
 use crate::fits::fit::Fitted;
 use crate::number::Style;
-use crate::{Desk, words};
+use crate::words;
 use analysis::csv::Dialect;
 use report::{Ranking, Report};
 
@@ -61,11 +62,11 @@ impl ExportKind {
     }
 }
 
-impl Desk {
+impl ShownFits<'_> {
     /// Exports a fit as a file.
-    pub fn export_fit(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
+    pub fn export(self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
-        let (command, notes, films) = (self.how_to_repeat(fit), self.notes(fit), self.films_of(fit));
+        let (command, notes, films) = (self.how_to_repeat(fit), self.notes(fit), self.films.of_fit(self.play, fit));
         let report = Report { films: &films, ..self.report(fit, &notes, command, imprint.date) };
         let bytes = match kind {
             ExportKind::Report => imprint.page(&report::html(&report)),
@@ -76,7 +77,7 @@ impl Desk {
     }
 
     /// Exports all fits of the same values as one ranked file.
-    pub fn export_ranking(&self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
+    pub fn export_ranking(self, id: u32, kind: ExportKind, imprint: Imprint<'_>) -> Option<Export> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let group: Vec<&Fitted> = self.fits.finished.iter().filter(|other| other.same_values(fit)).collect();
         let (command, notes) = (self.how_to_repeat(fit), self.notes(fit));
@@ -109,13 +110,13 @@ impl Desk {
         }
     }
 
-    fn how_to_repeat(&self, fit: &Fitted) -> &'static str {
+    fn how_to_repeat(self, fit: &Fitted) -> &'static str {
         words::how_to_repeat(self.play.language(), fit.definition.parts.len() > 1)
     }
 
     /// Findings about the data of a fit, one list per record.
     fn notes(&self, fit: &Fitted) -> Vec<Vec<String>> {
-        let records = self.records();
+        let records = self.records.shown(self.open()).list();
         let of = |id: u32| records.iter().find(|record| record.id == id).map(|record| record.findings.clone());
         fit.definition.parts.iter().map(|part| of(part.record).unwrap_or_default()).collect()
     }

@@ -1,12 +1,14 @@
 //! Results of fits: list, ranking, details.
 
-use crate::fits::fit::{Fitted, Job};
+use crate::fits::fit::Fitted;
+use crate::fits::{Fits, ShownFits};
 use crate::removed::Removed;
-use crate::{Announcement, Desk, number, words};
-use analysis::fit::{Estimate, Outcome, Task, Trace, Verdict};
-use units::Unit;
+use crate::{Announcement, Changes, number, words};
+use analysis::fit::{Estimate, Outcome, Verdict};
+use play::Play;
 use units::number::{Group, Style};
 use units::order::sort;
+use units::{Language, Unit};
 
 /// Maximum number of fits that are kept.
 pub const MOST_FITS: usize = 40;
@@ -70,63 +72,50 @@ pub struct FitDetail {
     pub statistics: Vec<(&'static str, String)>,
 }
 
-impl Desk {
-    /// Stores the result of a fit. A result of the open document is applied to the sliders unless it is doubtful; the
-    /// reason for the doubt is returned.
-    pub(crate) fn take_outcome(
-        &mut self,
-        job: Job,
-        task: Task,
-        outcome: Outcome,
-        traces: Vec<Trace>,
-    ) -> Option<String> {
-        let id = self.fits.issued;
-        let Job { definition, document, own, found } = job;
-        let fitted = Fitted { id, definition, document, task, traces, outcome };
+impl Fits {
+    /// Takes a finished fit and gives it an id. A fit with the same theory, values and varied numbers is replaced.
+    /// `is_new`: false for a reconstructed fit, which does not replace a newer one; `None` is returned then.
+    pub(super) fn take_fitted(&mut self, fitted: Fitted, is_new: bool) -> Option<u32> {
         let same = |fit: &Fitted| fit.is_same(&fitted);
-        // A reconstructed fit does not replace a newer one.
-        if found.is_some() && self.fits.finished.iter().any(same) {
+        if !is_new && self.finished.iter().any(same) {
             return None;
         }
-        let doubt = self.doubt(&fitted.outcome).filter(|_| own);
-        self.fits.issued += 1;
-        // A fit with the same theory, values and varied numbers replaces the earlier one.
-        self.fits.finished.retain(|fit| !same(fit));
-        if self.fits.finished.len() >= MOST_FITS {
-            self.fits.finished.remove(0);
+        let id = self.issued;
+        self.issued += 1;
+        self.finished.retain(|fit| !same(fit));
+        if self.finished.len() >= MOST_FITS {
+            self.finished.remove(0);
         }
-        self.fits.finished.push(fitted);
+        self.finished.push(Fitted { id, ..fitted });
         self.forget_applied();
-        if own && doubt.is_none() {
-            self.apply_fit(id);
-        }
-        doubt
+        Some(id)
     }
 
-    /// Reason to doubt a result, which is then not applied automatically; `None` if there is none.
-    fn doubt(&self, outcome: &Outcome) -> Option<String> {
-        let language = self.play.language();
-        if !outcome.rmse.is_finite() {
-            return Some(words::not_finite(language).to_owned());
-        }
-        if !outcome.converged {
-            return Some(words::not_converged(language).to_owned());
-        }
-        let why = match outcome.verdict() {
-            _ if !outcome.undersampled.is_empty() => Some(words::undersampled(language)),
-            Verdict::Misled => Some(words::misled(language)),
-            Verdict::Missed => Some(words::missed(language)),
-            _ => None,
-        };
-        if let Some(why) = why {
-            return Some(why.to_owned());
-        }
-        let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
-        (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
+    /// Removes a fit.
+    pub fn remove(&mut self, play: &Play, id: u32) -> Changes {
+        let Some(place) = self.finished.iter().position(|fit| fit.id == id) else { return Changes::NONE };
+        let fit = self.finished.remove(place);
+        let theory = fit.title(play);
+        self.forget_applied();
+        Changes::FITS.removing(Removed::Fit(place, Box::new(fit))).announcing(Announcement::FitRemoved(theory))
     }
 
+    /// Clears the id of the applied fit if that fit is no longer in the list.
+    fn forget_applied(&mut self) {
+        let finished = &self.finished;
+        self.applied = self.applied.filter(|id| finished.iter().any(|fit| fit.id == *id));
+    }
+
+    /// Puts a removed fit back, at most at the end of the list.
+    pub(crate) fn put_back(&mut self, place: usize, fit: Fitted) -> Changes {
+        self.finished.insert(place.min(self.finished.len()), fit);
+        Changes::FITS
+    }
+}
+
+impl ShownFits<'_> {
     /// The finished fits, grouped by the values that were fitted. Each group is ranked, best fit first.
-    pub fn fits(&self) -> Vec<FitView> {
+    pub fn list(self) -> Vec<FitView> {
         let mut groups: Vec<Vec<&Fitted>> = Vec::new();
         for fit in &self.fits.finished {
             match groups.iter_mut().find(|group| group.first().is_some_and(|one| one.same_values(fit))) {
@@ -137,21 +126,21 @@ impl Desk {
         groups.iter().flat_map(|group| self.ranked(group)).collect()
     }
 
-    fn ranked(&self, group: &[&Fitted]) -> Vec<FitView> {
+    fn ranked(self, group: &[&Fitted]) -> Vec<FitView> {
         let outcomes: Vec<&Outcome> = group.iter().map(|fit| &fit.outcome).collect();
         let known = |value: f64, digits: usize| {
             if value.is_finite() { number::fixed(value, digits, self.play.style()) } else { number::DASH.to_owned() }
         };
         let residuals = residuals(group, self.play.style());
         let ranked = analysis::fit::rank(&outcomes);
-        let ties = analysis::fit::ties(&ranked, &outcomes, self.play.language(), |index| self.title_of(group[index]));
+        let ties = analysis::fit::ties(&ranked, &outcomes, self.play.language(), |index| group[index].title(self.play));
         let view = |place: analysis::fit::Ranked| {
             let fit = group.get(place.index)?;
             let outcome = &fit.outcome;
             let size = |value: f64| residuals.quantity(value);
             Some(FitView {
                 id: fit.id,
-                theory: self.title_of(fit),
+                theory: fit.title(self.play),
                 records: fit.record_names(),
                 counts: (outcome.n, outcome.parameters.len()),
                 rmse: size(outcome.rmse),
@@ -165,10 +154,6 @@ impl Desk {
         ranked.into_iter().filter_map(view).collect()
     }
 
-    fn title_of(&self, fit: &Fitted) -> String {
-        fit.document.program.edition(self.play.basis().tag()).title.clone()
-    }
-
     pub(crate) fn is_applicable(&self, fit: &Fitted) -> bool {
         let (fitted, present) = (&fit.document.program, &self.document.program);
         let names = |program: &program::Program| -> Vec<String> {
@@ -178,7 +163,7 @@ impl Desk {
     }
 
     /// Details of the fit of this id.
-    pub fn fit_detail(&self, id: u32) -> Option<FitDetail> {
+    pub fn detail(self, id: u32) -> Option<FitDetail> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let outcome = &fit.outcome;
         let plain = |value: f64, digits: usize| number::plain(value, digits, self.play.style());
@@ -202,8 +187,8 @@ impl Desk {
         sentences.extend(self.missing_errors(fit));
         sentences.extend(self.beginnings(fit));
         Some(FitDetail {
-            theory: self.title_of(fit),
-            doubt: self.doubt(outcome),
+            theory: fit.title(self.play),
+            doubt: doubt(self.play.language(), outcome),
             estimates: self.estimate_views(fit),
             sentences,
             statistics: vec![
@@ -220,7 +205,7 @@ impl Desk {
         let independent = &fit.document.program.model.independent.name;
         let mut sentences = Vec::new();
         for (part, task) in fit.definition.parts.iter().zip(&fit.task.records) {
-            let Some(record) = self.record(part.record) else { continue };
+            let Some(record) = self.records.get(part.record) else { continue };
             for one in task.observations.iter().filter(|one| one.errors.is_none()) {
                 let column = part.uses.iter().position(|used| used.fitted && used.meaning.quantity == one.name);
                 let errors = column.and_then(|column| record.errors_beside(&part.uses, column, independent));
@@ -310,8 +295,8 @@ impl Desk {
     /// True value of an estimate, if its records are simulated and have the same value of it.
     fn truth(&self, fit: &Fitted, one: &Estimate) -> Option<f64> {
         let of = |place: usize| {
-            let record = self.record(fit.definition.parts.get(place)?.record)?;
-            record.truth.as_ref()?.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
+            let record = self.records.get(fit.definition.parts.get(place)?.record)?;
+            record.truth()?.iter().find(|(name, _)| *name == one.name).map(|(_, value)| *value)
         };
         let Some(place) = one.record else {
             let first = of(0)?;
@@ -321,7 +306,7 @@ impl Desk {
     }
 
     /// Texts of the theory of a fit with their file names: the document first, then its translations.
-    pub fn fit_texts(&self, id: u32) -> Vec<(String, String)> {
+    pub fn texts(self, id: u32) -> Vec<(String, String)> {
         let Some(fit) = self.fits.finished.iter().find(|fit| fit.id == id) else { return Vec::new() };
         let (document, file) = (&fit.document, &fit.definition.file);
         let stem = file.trim_end_matches(".md");
@@ -329,23 +314,27 @@ impl Desk {
         let translations = translations.map(|(text, language)| (format!("{stem}.{language}.md"), text.clone()));
         std::iter::once((file.clone(), document.source.clone())).chain(translations).collect()
     }
+}
 
-    /// Removes a fit.
-    pub fn remove_fit(&mut self, id: u32) {
-        let Some(place) = self.fits.finished.iter().position(|fit| fit.id == id) else { return };
-        let fit = self.fits.finished.remove(place);
-        let theory = self.title_of(&fit);
-        self.can_undo(Removed::Fit(place, Box::new(fit)));
-        self.forget_applied();
-        self.revision.fits += 1;
-        self.announce(Announcement::FitRemoved(theory));
+/// Reason to doubt a result, which is then not applied automatically; `None` if there is none.
+pub(super) fn doubt(language: Language, outcome: &Outcome) -> Option<String> {
+    if !outcome.rmse.is_finite() {
+        return Some(words::not_finite(language).to_owned());
     }
-
-    /// Clears the id of the applied fit if that fit is no longer in the list.
-    fn forget_applied(&mut self) {
-        let finished = &self.fits.finished;
-        self.fits.applied = self.fits.applied.filter(|id| finished.iter().any(|fit| fit.id == *id));
+    if !outcome.converged {
+        return Some(words::not_converged(language).to_owned());
     }
+    let why = match outcome.verdict() {
+        _ if !outcome.undersampled.is_empty() => Some(words::undersampled(language)),
+        Verdict::Misled => Some(words::misled(language)),
+        Verdict::Missed => Some(words::missed(language)),
+        _ => None,
+    };
+    if let Some(why) = why {
+        return Some(why.to_owned());
+    }
+    let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
+    (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
 }
 
 /// Common number format of the residuals of fits that are ranked together.
@@ -362,6 +351,11 @@ fn error(one: &Estimate) -> Option<f64> {
 }
 
 impl Fitted {
+    /// Title of the theory in the language of the simulation.
+    pub fn title(&self, play: &Play) -> String {
+        self.document.program.edition(play.basis().tag()).title.clone()
+    }
+
     fn is_same(&self, other: &Self) -> bool {
         let varied = |fit: &Self| {
             let mut names: Vec<String> = fit.outcome.parameters.iter().map(|one| one.name.clone()).collect();

@@ -35,7 +35,8 @@ impl Setup {
     pub fn fixed(&self, model: &Model, varied: &[Varied], record: &Record) -> Vec<(usize, f64)> {
         let own = |(index, parameter): (usize, &program::Parameter)| {
             let held = varied.iter().all(|varied| varied.target != Target::Parameter(index));
-            let value = record.known.get(&parameter.name).filter(|_| held && !self.is_same(&parameter.name, false))?;
+            let value =
+                record.known().get(&parameter.name).filter(|_| held && !self.is_same(&parameter.name, false))?;
             Some((index, *value))
         };
         model.parameters.iter().enumerate().filter_map(own).collect()

@@ -1,60 +1,57 @@
 //! Construction of a fit task: the fitted columns of each record and their values.
 
+use crate::fits::ShownFits;
 use crate::fits::fit::{Job, Part, StatedError};
 use crate::records::recognise::observed;
 use crate::records::record::Record;
 use crate::records::understood::{lacks_scale, no_scale};
 use crate::words::fit_error;
-use crate::{Desk, Refusal, words};
+use crate::{Refusal, words};
 use analysis::fit::{FitError, Observation, Task, Varied};
 use document::Document;
 
-impl Desk {
+impl ShownFits<'_> {
     /// Participation of each record in a fit of `document`. `own`: true if it is the open document; otherwise the
     /// columns are recognised for it.
-    pub(super) fn parts(&self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
-        let labels = |label: &str| {
-            let languages = document.program.languages();
-            languages.map(|language| document.program.text(language, label).to_lowercase()).collect()
-        };
+    pub(super) fn parts(self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
         let taking_part = self.taking_part();
         let part = |record: &Record| {
             let (uses, origin) = if own {
-                let found = record.origin.filter(|origin| origin.found);
-                (record.uses.clone(), found.map(|origin| origin.reading))
+                let found = record.fitted_origin().filter(|origin| origin.found);
+                (record.uses().to_vec(), found.map(|origin| origin.reading))
             } else {
                 let mut record = record.clone();
-                record.take_for(document, &labels);
-                (record.uses, None)
+                record.take_for(document);
+                (record.uses().to_vec(), None)
             };
             let fixed = match taking_part.len() {
                 1 => Vec::new(),
                 _ => self.fits.setup.fixed(&document.program.model, varied, record),
             };
-            Part { record: record.id, name: record.name.clone(), uses, origin, fixed, errors: Vec::new() }
+            Part { record: record.id(), name: record.name().to_owned(), uses, origin, fixed, errors: Vec::new() }
         };
-        taking_part.iter().filter_map(|id| self.record(*id)).map(part).collect()
+        taking_part.iter().filter_map(|id| self.records.get(*id)).map(part).collect()
     }
 
     /// Builds the task of a job.
     ///
     /// # Errors
     /// A record no longer exists, a fitted column is in pixels, or a record has no fitted column.
-    pub(super) fn task(&self, job: &Job) -> Result<Task, Refusal> {
+    pub(super) fn task(self, job: &Job) -> Result<Task, Refusal> {
         let unknown = || Refusal::unknown(words::record(self.play.language()));
         let (document, definition) = (&job.document, &job.definition);
         let model = &document.program.model;
         let mut records = Vec::with_capacity(definition.parts.len());
         for part in &definition.parts {
-            let record = self.record(part.record).ok_or_else(unknown)?;
+            let record = self.records.get(part.record).ok_or_else(unknown)?;
             if let Some(used) = part.uses.iter().find(|used| used.fitted && lacks_scale(model, used)) {
                 let language = self.play.language();
-                let why = format!("{}, {}: {}.", record.name, used.meaning.quantity, no_scale(language));
+                let why = format!("{}, {}: {}.", record.name(), used.meaning.quantity, no_scale(language));
                 return Err(Refusal::Fit { why });
             }
             let observations = observations(record, part, model);
             if observations.is_empty() && definition.parts.len() > 1 {
-                let why = format!("{}: {}", record.name, fit_error(self.play.language(), &FitError::NothingObserved));
+                let why = format!("{}: {}", record.name(), fit_error(self.play.language(), &FitError::NothingObserved));
                 return Err(Refusal::Fit { why });
             }
             let (fixed, origin) = (part.fixed.clone(), part.origin);
@@ -63,7 +60,7 @@ impl Desk {
                 observations,
                 fixed,
                 origin,
-                scale_error: record.table.scale_error,
+                scale_error: record.table().scale_error,
             });
         }
         let parameters = definition.parameters.iter().zip(&model.parameters);

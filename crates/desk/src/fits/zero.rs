@@ -1,6 +1,6 @@
 //! Default choice of whether the zero of the scale is varied.
 
-use crate::Desk;
+use crate::fits::ShownFits;
 use crate::fits::fit::Part;
 use crate::records::recognise::observed;
 use crate::records::record::Use;
@@ -8,23 +8,23 @@ use analysis::fit::{Target, Varied};
 use program::{Model, Node, NodeId, along};
 use units::Dimension;
 
-impl Desk {
+impl ShownFits<'_> {
     /// Two values, for the zero of the clock and for that of the scale: true if it is varied, as chosen by the user. By
     /// default the clock's is not, and the scale's is if a record needs it.
-    pub(super) fn varied_zeros(&self) -> [bool; 2] {
+    pub(super) fn varied_zeros(self) -> [bool; 2] {
         let [clock, scale] = self.fits.setup.zeros;
         let varied = self.fits.setup.varied.iter().enumerate().filter(|(_, varied)| **varied);
         let varied: Vec<usize> = varied.map(|(index, _)| index).collect();
         let needed = || {
-            let records = self.taking_part().into_iter().filter_map(|id| self.record(id));
-            records.into_iter().any(|one| self.needs_zero(self.play.model(), &varied, one.id, &one.uses))
+            let records = self.taking_part().into_iter().filter_map(|id| self.records.get(id));
+            records.into_iter().any(|one| self.needs_zero(self.play.model(), &varied, one.id(), one.uses()))
         };
         [clock.unwrap_or(false), scale.unwrap_or_else(needed)]
     }
 
     /// True if a fit of another model to these records varies the zero of the scale: if a record needs it and the user
     /// has not fixed it.
-    pub(super) fn varied_zero_of(&self, model: &Model, varied: &[Varied], parts: &[Part]) -> bool {
+    pub(super) fn varied_zero_of(self, model: &Model, varied: &[Varied], parts: &[Part]) -> bool {
         let parameter = |varied: &Varied| match varied.target {
             Target::Parameter(index) => Some(index),
             _ => None,
@@ -36,9 +36,9 @@ impl Desk {
 
     /// True if the fitted column of a record holds lengths from a film, or from the camera of a virtual measurement, and no varied
     /// parameter can absorb the unknown zero of the scale.
-    fn needs_zero(&self, model: &Model, varied: &[usize], record: u32, uses: &[Use]) -> bool {
+    fn needs_zero(self, model: &Model, varied: &[usize], record: u32, uses: &[Use]) -> bool {
         let Some(used) = uses.iter().find(|used| used.fitted) else { return false };
-        let is_virtual = || self.record(record).is_some_and(|record| record.truth.is_some());
+        let is_virtual = || self.records.get(record).is_some_and(|record| record.truth().is_some());
         (self.films.of_record(record).is_some() || is_virtual())
             && used.meaning.unit.dimension == Dimension::LENGTH
             && observed(model, &used.meaning.quantity)

@@ -1,43 +1,15 @@
-//! Measured data beside the model: records, the columns in use, and the state of residuals and outline.
+//! The columns in use, and the state of residuals and outline.
 
-use crate::records::record::Record;
 use engine::{Readings, Routine};
-use play::Follows;
 use program::Compiled;
-
-/// The records and the data derived from them for the open document.
-#[derive(Debug, Default)]
-pub(crate) struct Data {
-    /// The records, oldest first.
-    pub records: Vec<Record>,
-    /// Number of ids issued so far. Ids are never reused, because fits refer to records by id.
-    pub issued: u32,
-    /// The columns in use of all records that are drawn.
-    pub measured: Vec<Measured>,
-    /// State of the residuals, one per entry of `measured`.
-    pub residuals: Vec<Residuals>,
-    /// The outline: the scene drawn with measured values.
-    pub outline: Option<(Outline, Vec<Follows>)>,
-    /// Incremented whenever points or residuals are replaced, as opposed to appended.
-    pub version: u64,
-}
-
-impl Data {
-    /// Version of a series of points or residuals for [`figure::Series`], by its index in the plot. 0 for series
-    /// without one.
-    pub fn version_of(&self, series: usize) -> u64 {
-        // Series from this number on have no version and are scanned in full for each frame.
-        const MOST: u64 = 64;
-        let series = series as u64 + 1;
-        if series < MOST { self.version * MOST + series } else { 0 }
-    }
-}
 
 /// A column in use, in SI units.
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
     /// Id of the record.
     pub record: u32,
+    /// Name of the record.
+    pub record_name: String,
     /// Quantity of the document that it measures.
     pub name: String,
     pub observed: Compiled,
@@ -76,7 +48,7 @@ impl Measured {
 #[derive(Debug)]
 pub(crate) struct Outline {
     pub routine: Routine,
-    /// Indices in [`Data::measured`] of the columns that replace computed values.
+    /// Indices in [`super::MeasuredData`] of the columns that replace computed values.
     pub columns: Vec<usize>,
     /// The parameters, followed by the measured values.
     pub inputs: Vec<f64>,

@@ -1,33 +1,34 @@
 //! The outline: the scene with measured values in place of computed ones.
 
-use crate::Desk;
+use crate::measured::MeasuredData;
 use crate::measured::data::Outline;
+use document::Document;
 use engine::Routine;
-use play::Follows;
+use play::{Follows, Play};
 use program::{Graph, Node};
 
-impl Desk {
+impl MeasuredData {
     /// Builds the outline of the measured columns. Only undifferentiated quantities are used.
-    pub(crate) fn begin_outline(&mut self) {
-        self.data.outline = self.make_outline();
-        let outline = self.data.outline.as_ref().map(|(outline, follows)| {
-            let ids = outline.columns.iter().filter_map(|column| Some(self.data.measured.get(*column)?.record));
-            let mut sources: Vec<String> = ids.filter_map(|id| Some(self.record(id)?.name.clone())).collect();
+    pub(crate) fn begin_outline(&mut self, play: &mut Play, document: &Document) {
+        self.outline = self.make_outline(play, document);
+        let outline = self.outline.as_ref().map(|(outline, follows)| {
+            let columns = outline.columns.iter().filter_map(|column| self.columns.get(*column));
+            let mut sources: Vec<String> = columns.map(|measured| measured.record_name.clone()).collect();
             sources.dedup();
             play::Outline { follows: follows.clone(), sources, values: None }
         });
-        self.play.set_outline(outline);
+        play.set_outline(outline);
     }
 
     /// Evaluates the outline at the shown time. It has no values if a column has none at that time.
-    pub(crate) fn follow_outline(&mut self) {
-        let Some((outline, _)) = &mut self.data.outline else { return };
-        let course = self.play.course();
+    pub(crate) fn follow_outline(&mut self, play: &mut Play) {
+        let Some((outline, _)) = &mut self.outline else { return };
+        let course = play.course();
         outline.inputs.clear();
         outline.inputs.extend_from_slice(course.parameters());
         let mut there = true;
         for column in &outline.columns {
-            let value = self.data.measured.get(*column).and_then(|measured| measured.at(course.time()));
+            let value = self.columns.get(*column).and_then(|measured| measured.at(course.time()));
             outline.inputs.push(value.unwrap_or(f64::NAN));
             there &= value.is_some();
         }
@@ -36,15 +37,15 @@ impl Desk {
             outline.routine.evaluate(course.time(), course.state(), &mut outline.values);
         }
         let values = there.then_some(&outline.values[..]);
-        self.play.set_outline_values(values);
+        play.set_outline_values(values);
     }
 
-    fn make_outline(&self) -> Option<(Outline, Vec<Follows>)> {
-        let model = self.play.model();
-        let scene = self.document.program.scene(self.play.basis().tag())?;
+    fn make_outline(&self, play: &Play, document: &Document) -> Option<(Outline, Vec<Follows>)> {
+        let model = play.model();
+        let scene = document.program.scene(play.basis().tag())?;
         let roots: Vec<_> = scene.values.iter().map(|value| value.node).collect();
         let (mut columns, mut inputs) = (Vec::new(), Vec::new());
-        for (index, measured) in self.data.measured.iter().enumerate() {
+        for (index, measured) in self.columns.iter().enumerate() {
             let node = measured.observed.node;
             if !measured.name.ends_with('\'') && inputs.iter().all(|(other, _)| *other != node) {
                 inputs.push((node, Node::Parameter((model.parameters.len() + columns.len()) as u32)));

@@ -2,23 +2,24 @@
 
 use super::data::{Measured, Residuals};
 use super::points::shortened;
-use crate::{Desk, number, words};
+use crate::measured::MeasuredData;
+use crate::{number, words};
 use figure::{Interval, Style};
-use play::{AddedPlot, AddedSeries, Labels, points_colour, symbol};
+use play::{AddedPlot, AddedSeries, Labels, Play, points_colour, symbol};
 use units::{Dimension, Unit};
 
 /// Number of residuals of a column that are computed per call, a fraction of a frame's time.
 const SLICE: usize = 4000;
 
-impl Desk {
+impl MeasuredData {
     /// Resets the plot of the residuals. Needed when the measured columns or their meanings change.
-    pub(crate) fn begin_residuals(&mut self) {
-        let unit = &self.play.model().independent.unit;
-        let ends = self.data.measured.iter().filter_map(|measured| measured.times.last());
+    pub(crate) fn begin_residuals(&mut self, play: &mut Play) {
+        let unit = &play.model().independent.unit;
+        let ends = self.columns.iter().filter_map(|measured| measured.times.last());
         let whole = Interval::new(0.0, unit.from_si(ends.fold(0.0, |end, time| time.max(end))));
         let mut axes: Vec<Dimension> = Vec::new();
         let mut series = Vec::new();
-        for (number, measured) in self.data.measured.iter().enumerate() {
+        for (number, measured) in self.columns.iter().enumerate() {
             let dimension = measured.observed.dimension();
             let axis = axes.iter().position(|axis| *axis == dimension).unwrap_or_else(|| {
                 axes.push(dimension);
@@ -29,12 +30,12 @@ impl Desk {
                 colour: points_colour(number),
                 style: Style::Points,
                 in_legend: true,
-                version: self.data.version_of(number),
+                version: self.version_of(number),
                 ..AddedSeries::default()
             });
         }
         let offered = self.has_points();
-        if let Some(plot) = self.play.added_plot(self.residual_plot) {
+        if let Some(plot) = play.added_plot(self.plot) {
             let labels = std::mem::take(&mut plot.labels);
             let x_includes = Some(whole);
             *plot = AddedPlot {
@@ -47,74 +48,72 @@ impl Desk {
                 ..AddedPlot::default()
             };
         }
-        self.label_residuals();
+        self.label_residuals(play);
     }
 
     /// True if residuals up to the front of the run are not yet computed.
-    pub fn lags(&self) -> bool {
-        let front = self.play.course().front();
+    pub fn lags(&self, play: &Play) -> bool {
+        let front = play.course().front();
         let is_behind = |(residuals, measured): (&Residuals, &Measured)| {
             measured.times.get(residuals.passed).is_some_and(|time| *time <= front)
         };
-        self.data.residuals.iter().zip(&self.data.measured).any(is_behind)
+        self.residuals.iter().zip(&self.columns).any(is_behind)
     }
 
     /// Computes residuals up to the front of the run, at most [`SLICE`] values per column and call.
-    pub(crate) fn follow_residuals(&mut self) {
-        if !self.lags() {
+    pub(crate) fn follow_residuals(&mut self, play: &mut Play) {
+        if !self.lags(play) {
             return;
         }
-        let front = self.play.course().front();
-        let unit = self.play.model().independent.unit.clone();
-        let mut state = vec![0.0; self.play.model().states.len()];
-        for (number, (residuals, measured)) in self.data.residuals.iter_mut().zip(&self.data.measured).enumerate() {
+        let front = play.course().front();
+        let unit = play.model().independent.unit.clone();
+        let mut state = vec![0.0; play.model().states.len()];
+        for (number, (residuals, measured)) in self.residuals.iter_mut().zip(&self.columns).enumerate() {
             let rest = measured.times.iter().zip(&measured.values).enumerate().skip(residuals.passed);
             let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
             for (row, (&time, &value)) in rest.take(SLICE).take_while(|(_, (time, _))| **time <= front) {
                 residuals.passed += 1;
-                let Some(parameters) = self.play.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
-                let computed = residuals.readings.at(&parameters, self.play.course().initial(), time, &state);
+                let Some(parameters) = play.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
+                let computed = residuals.readings.at(&parameters, play.course().initial(), time, &state);
                 let left = value - computed.first().copied().unwrap_or(f64::NAN);
                 x.push(unit.from_si(time));
                 y.push(measured.observed.unit.from_si(left));
                 errors.extend(measured.errors.get(row).map(|error| measured.observed.unit.from_si(*error)));
             }
-            let plot = self.play.added_plot(self.residual_plot);
+            let plot = play.added_plot(self.plot);
             if let Some(series) = plot.and_then(|plot| plot.series.get_mut(number)) {
                 series.x.append(&mut x);
                 series.y.append(&mut y);
                 series.errors.append(&mut errors);
             }
         }
-        self.play.added_plot_changed(self.residual_plot);
+        play.added_plot_changed(self.plot);
     }
 
     /// Drops the residuals after `time` (SI), where the run was discarded.
-    pub(crate) fn truncate_residuals(&mut self, time: f64) {
-        self.data.version += 1;
-        let last = self.play.model().independent.unit.from_si(time);
-        for (residuals, measured) in self.data.residuals.iter_mut().zip(&self.data.measured) {
+    pub(crate) fn truncate_residuals(&mut self, play: &mut Play, time: f64) {
+        self.version += 1;
+        let last = play.model().independent.unit.from_si(time);
+        for (residuals, measured) in self.residuals.iter_mut().zip(&self.columns) {
             residuals.passed = residuals.passed.min(measured.times.partition_point(|&at| at <= time));
         }
-        let data = &self.data;
-        let Some(plot) = self.play.added_plot(self.residual_plot) else { return };
+        let Some(plot) = play.added_plot(self.plot) else { return };
         for (number, series) in plot.series.iter_mut().enumerate() {
             let kept = series.x.partition_point(|&at| at <= last);
             series.x.truncate(kept);
             series.y.truncate(kept);
             series.errors.truncate(kept);
-            series.version = data.version_of(number);
+            series.version = self.version_of(number);
         }
     }
 
     /// Sets the texts of the plot of the residuals.
-    pub(crate) fn label_residuals(&mut self) {
-        let [title, left_over] = words::residuals(self.play.language());
-        let independent = &self.play.model().independent;
-        let names: Vec<String> =
-            self.data.measured.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();
+    pub(crate) fn label_residuals(&self, play: &mut Play) {
+        let [title, left_over] = words::residuals(play.language());
+        let independent = &play.model().independent;
+        let names: Vec<String> = self.columns.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();
         let mut axes: Vec<(String, &Unit)> = Vec::new();
-        for (measured, name) in self.data.measured.iter().zip(&names) {
+        for (measured, name) in self.columns.iter().zip(&names) {
             let unit = &measured.observed.unit;
             match axes.iter_mut().find(|(_, axis)| axis.dimension == unit.dimension) {
                 Some((label, _)) if label.split(", ").any(|one| one == name) => {}
@@ -122,11 +121,10 @@ impl Desk {
                 None => axes.push((name.clone(), unit)),
             }
         }
-        let first = self.data.measured.first().map(|measured| measured.record);
-        let several = self.data.measured.iter().any(|measured| Some(measured.record) != first);
-        let curves = self.data.measured.iter().zip(names).map(|(measured, name)| {
-            let record = self.record(measured.record).filter(|_| several);
-            record.map_or(name.clone(), |record| format!("{name} ({})", shortened(&record.name)))
+        let first = self.columns.first().map(|measured| measured.record);
+        let several = self.columns.iter().any(|measured| Some(measured.record) != first);
+        let curves = self.columns.iter().zip(names).map(|(measured, name)| {
+            if several { format!("{name} ({})", shortened(&measured.record_name)) } else { name }
         });
         let curves = curves.collect();
         let labels = Labels {
@@ -137,9 +135,9 @@ impl Desk {
             curves,
             ..Labels::default()
         };
-        if let Some(plot) = self.play.added_plot(self.residual_plot) {
+        if let Some(plot) = play.added_plot(self.plot) {
             plot.labels = labels;
         }
-        self.play.added_plot_changed(self.residual_plot);
+        play.added_plot_changed(self.plot);
     }
 }

@@ -1,33 +1,34 @@
 //! Columns of a record: text of their cells, and the user's choice of quantity, unit and use in fits.
 
-use crate::records::recognise::Meaning;
-use crate::{Desk, Refusal, number};
+use crate::records::recognise::{Meaning, measurable};
+use crate::records::{Records, ShownRecords};
+use crate::{Changes, OpenDocument, Refusal, number};
 use units::Unit;
 
-impl Desk {
+impl ShownRecords<'_> {
     /// Text of some cells of a record's column, to 6 significant digits; empty for gaps and rows that do not exist.
-    pub fn record_cells(&self, id: u32, column: usize, rows: std::ops::Range<usize>) -> Vec<String> {
-        let values = self.record(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
+    pub fn cells(self, id: u32, column: usize, rows: std::ops::Range<usize>) -> Vec<String> {
+        let values =
+            self.records.get(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
         let rows = values.and_then(|values| values.get(rows.start..rows.end.min(values.len()))).unwrap_or_default();
         let cell =
-            |value: &f64| if value.is_nan() { String::new() } else { number::plain(*value, 6, self.play.style()) };
+            |value: &f64| if value.is_nan() { String::new() } else { number::plain(*value, 6, self.open.play.style()) };
         rows.iter().map(cell).collect()
     }
 
     /// Quantities of the document that a column can measure: name and symbol.
-    pub fn measurable(&self) -> Vec<(String, String)> {
-        crate::records::recognise::measurable(&self.document)
-            .into_iter()
-            .map(|(name, _)| (name.clone(), play::symbol(&name)))
-            .collect()
+    pub fn measurable(self) -> Vec<(String, String)> {
+        measurable(self.open.document).into_iter().map(|(name, _)| (name.clone(), play::symbol(&name))).collect()
     }
+}
 
+impl Records {
     /// Sets the quantity that a column measures; an empty name sets none. The unit is kept if its dimension fits.
-    pub fn set_column_quantity(&mut self, id: u32, column: usize, quantity: &str) {
-        let units = crate::records::recognise::measurable(&self.document);
+    pub fn set_quantity(&mut self, open: OpenDocument<'_>, id: u32, column: usize, quantity: &str) -> Changes {
+        let units = measurable(open.document);
         let unit = units.into_iter().find(|(name, _)| name == quantity).map(|(_, unit)| unit);
-        let independent = self.play.model().independent.name.clone();
-        let Some(record) = self.record_mut(id) else { return };
+        let independent = &open.play.model().independent.name;
+        let Some(record) = self.get_mut(id) else { return Changes::NONE };
         if let Some(used) = record.uses.get_mut(column) {
             let unit = match unit {
                 Some(unit)
@@ -40,21 +41,28 @@ impl Desk {
                 _ => used.meaning.unit.clone(),
             };
             used.meaning = Meaning { quantity: quantity.to_owned(), unit };
-            used.fitted &= !quantity.is_empty() && quantity != independent;
+            used.fitted &= !quantity.is_empty() && quantity != *independent;
             used.chosen = true;
         }
-        self.records_changed();
+        Changes::RECORDS
     }
 
     /// Sets the unit of a column.
     ///
     /// # Errors
     /// The text is not a unit, or its dimension differs from that of the column's quantity.
-    pub fn set_column_unit(&mut self, id: u32, column: usize, typed: &str) -> Result<(), Refusal> {
+    pub fn set_unit(
+        &mut self,
+        open: OpenDocument<'_>,
+        id: u32,
+        column: usize,
+        typed: &str,
+    ) -> Result<Changes, Refusal> {
         let unit = Unit::parse(typed)
             .map_err(|_| play::Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
-        let known = crate::records::recognise::measurable(&self.document);
-        let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) else { return Ok(()) };
+        let known = measurable(open.document);
+        let used = self.get_mut(id).and_then(|record| record.uses.get_mut(column));
+        let Some(used) = used else { return Ok(Changes::NONE) };
         let own = known.iter().find(|(name, _)| *name == used.meaning.quantity).map(|(_, own)| own);
         if let Some(own) = own.filter(|own| own.dimension != unit.dimension) {
             return Err(play::Refusal::WrongUnit {
@@ -65,15 +73,14 @@ impl Desk {
         }
         used.meaning.unit = unit;
         (used.chosen, used.stated) = (true, true);
-        self.records_changed();
-        Ok(())
+        Ok(Changes::RECORDS)
     }
 
     /// Sets whether fits use a column.
-    pub fn set_column_fitted(&mut self, id: u32, column: usize, fitted: bool) {
-        if let Some(used) = self.record_mut(id).and_then(|record| record.uses.get_mut(column)) {
-            used.fitted = fitted;
-            self.records_changed();
-        }
+    pub fn set_fitted(&mut self, id: u32, column: usize, fitted: bool) -> Changes {
+        let used = self.get_mut(id).and_then(|record| record.uses.get_mut(column));
+        let Some(used) = used else { return Changes::NONE };
+        used.fitted = fitted;
+        Changes::RECORDS
     }
 }

@@ -1,28 +1,34 @@
 //! Velocities and accelerations computed from a column at the user's request. They become columns of the record, marked
 //! as derived from their source.
 
+use crate::records::Records;
 use crate::records::recognise::{Meaning, observed};
 use crate::records::record::{Made, Record, Use};
-use crate::{Announcement, Desk, Refusal};
+use crate::{Announcement, Changes, OpenDocument, Refusal};
 use analysis::derivative::{self, Differentiation};
 use analysis::table::Column;
 use document::Document;
 use units::{Language, Unit, say};
 
-impl Desk {
+impl Records {
     /// Appends velocity and acceleration of a column to the record. Replaces earlier derivatives of the same column.
     /// `how`: method of differentiation.
     ///
     /// # Errors
     /// The smoothing polynomial does not exist, or the column cannot be differentiated.
-    pub fn make_derivatives(&mut self, id: u32, column: usize, how: Differentiation) -> Result<(), Refusal> {
+    pub fn make_derivatives(
+        &mut self,
+        open: OpenDocument<'_>,
+        id: u32,
+        column: usize,
+        how: Differentiation,
+    ) -> Result<Changes, Refusal> {
         if !how.is_possible() {
             return Err(Refusal::NoSuchPolynomial);
         }
-        let document = &self.document;
-        let Some(record) = self.data.records.iter_mut().find(|record| record.id == id) else { return Ok(()) };
+        let Some(record) = self.get_mut(id) else { return Ok(Changes::NONE) };
         if record.table.columns.get(column).is_none() || column >= record.read_columns() {
-            return Ok(());
+            return Ok(Changes::NONE);
         }
         let Some(made) = record.differentiate(column, how) else { return Err(Refusal::NoDerivative) };
         let earlier: Vec<Made> =
@@ -34,19 +40,16 @@ impl Desk {
             }
         }
         record.take_made(made, column, how);
-        record.settle_made(document);
+        record.settle_made(open.document);
         let name = record.name.clone();
-        self.records_changed();
-        self.announce(Announcement::DerivativesMade(name));
-        Ok(())
+        Ok(Changes::RECORDS.announcing(Announcement::DerivativesMade(name)))
     }
 
     /// Removes all derivatives from a record.
-    pub fn forget_derivatives(&mut self, id: u32) {
-        if let Some(record) = self.data.records.iter_mut().find(|record| record.id == id) {
-            record.forget_made();
-            self.records_changed();
-        }
+    pub fn forget_derivatives(&mut self, id: u32) -> Changes {
+        let Some(record) = self.get_mut(id) else { return Changes::NONE };
+        record.forget_made();
+        Changes::RECORDS
     }
 }
 

@@ -2,9 +2,12 @@
 
 use crate::records::derived::differentiation;
 use crate::records::record::{Record, Use};
+use crate::records::understood::understood;
 use crate::records::variable::VariableView;
+use crate::records::{Records, ShownRecords};
 use crate::removed::Removed;
-use crate::{Announcement, Desk, number};
+use crate::{Announcement, Changes, number};
+use document::Document;
 use units::sentence;
 
 /// A record in the list.
@@ -58,25 +61,30 @@ pub struct ColumnView {
     pub made: String,
 }
 
-impl Desk {
+impl ShownRecords<'_> {
     /// The records, oldest first.
-    pub fn records(&self) -> Vec<RecordView> {
-        self.data.records.iter().map(|record| self.record_view(record)).collect()
+    pub fn list(self) -> Vec<RecordView> {
+        self.records.list.iter().map(|record| self.record_view(record)).collect()
+    }
+
+    /// True if there are none.
+    pub fn is_empty(self) -> bool {
+        self.records.list.is_empty()
     }
 
     /// Id of the latest record.
-    pub fn newest_record(&self) -> Option<u32> {
-        self.data.records.last().map(|record| record.id)
+    pub fn newest(self) -> Option<u32> {
+        self.records.list.last().map(|record| record.id)
     }
 
-    fn record_view(&self, record: &Record) -> RecordView {
-        let independent = &self.play.model().independent.name;
+    fn record_view(self, record: &Record) -> RecordView {
+        let independent = &self.open.play.model().independent.name;
         let column = |(index, (column, used)): (usize, (&analysis::table::Column, &Use))| {
             let unit = column.unit.as_ref().map(|unit| number::unit_text(&unit.text)).unwrap_or_default();
             let name =
                 if column.name.is_empty() { record.table.number(index).to_string() } else { column.name.clone() };
             let body = column.body.as_ref().map(|body| format!("{body}: ")).unwrap_or_default();
-            let understood = self.understood(record, index);
+            let understood = understood(self.open.play, record, index);
             ColumnView {
                 index,
                 unit_origin: understood.origin,
@@ -92,7 +100,7 @@ impl Desk {
                     && used.meaning.quantity != *independent,
                 made: record
                     .how_made(index)
-                    .map(|made| differentiation(self.play.language(), made.how))
+                    .map(|made| differentiation(self.open.play.language(), made.how))
                     .unwrap_or_default(),
             }
         };
@@ -102,72 +110,61 @@ impl Desk {
             rows: record.table.rows(),
             shown: record.shown,
             synthetic: record.truth.is_some(),
-            lasting: self.is_lasting(record.id),
-            variables: record.variables(self.play.language()),
+            lasting: self.records.is_lasting(record.id),
+            variables: record.variables(self.open.play.language()),
             columns: record.table.columns.iter().zip(&record.uses).enumerate().map(column).collect(),
-            findings: record.findings.iter().map(|finding| sentence(&finding.text(self.play.language()))).collect(),
+            findings: record
+                .findings
+                .iter()
+                .map(|finding| sentence(&finding.text(self.open.play.language())))
+                .collect(),
         }
     }
+}
 
-    /// A label in every language of the document, in lower case.
-    pub(crate) fn labels(&self, label: &str) -> Vec<String> {
-        self.document
-            .program
-            .languages()
-            .map(|language| self.document.program.text(language, label).to_lowercase())
-            .collect()
-    }
-
+impl Records {
     /// Shows or hides a record.
-    pub fn show_record(&mut self, id: u32, shown: bool) {
-        if let Some(record) = self.record_mut(id) {
-            record.shown = shown;
-            self.records_changed();
-        }
+    pub fn show(&mut self, id: u32, shown: bool) -> Changes {
+        let Some(record) = self.get_mut(id) else { return Changes::NONE };
+        record.shown = shown;
+        Changes::RECORDS
     }
 
     /// Removes a record.
-    pub fn remove_record(&mut self, id: u32) {
-        if let Some(index) = self.data.records.iter().position(|record| record.id == id) {
-            let record = self.data.records.remove(index);
-            let name = record.name.clone();
-            self.can_undo(Removed::Record(index, Box::new(record)));
-            self.records_changed();
-            self.announce(Announcement::RecordRemoved(name));
-        }
+    pub fn remove(&mut self, id: u32) -> Changes {
+        let Some(index) = self.list.iter().position(|record| record.id == id) else { return Changes::NONE };
+        let record = self.list.remove(index);
+        let name = record.name.clone();
+        let removed = Removed::Record(index, Box::new(record));
+        Changes::RECORDS.removing(removed).announcing(Announcement::RecordRemoved(name))
     }
 
-    /// Takes the records, fits and films of another desk, which had another document open.
-    pub fn adopt_records(&mut self, other: &mut Desk) {
-        self.data.records = std::mem::take(&mut other.data.records);
-        self.data.issued = other.data.issued;
-        for record in &mut self.data.records {
+    /// Puts a removed record back, at most at the end of the list.
+    pub(crate) fn put_back(&mut self, place: usize, record: Record) -> Changes {
+        self.list.insert(place.min(self.list.len()), record);
+        Changes::RECORDS
+    }
+
+    /// Takes the records, and the file that is being read, from a desk with another document.
+    pub(crate) fn adopt(&mut self, other: &mut Self, document: &Document) -> Changes {
+        *self = std::mem::take(other);
+        // Ids of the other desk stay issued.
+        other.issued = self.issued;
+        for record in &mut self.list {
             record.origin = None;
             record.uses.iter_mut().for_each(|used| used.offset = 0.0);
         }
-        self.fits.adopt(&mut other.fits);
-        self.play.number_removals_from(other.play.removals());
-        self.cycle_view = std::mem::take(&mut other.cycle_view);
-        self.intake = other.intake.take();
-        self.films = std::mem::take(&mut other.films);
-        self.recognise_records();
+        self.recognise(document)
     }
 
     /// Determines the meaning of all columns again, except those set by the user.
-    pub(crate) fn recognise_records(&mut self) {
-        let mut records = std::mem::take(&mut self.data.records);
-        for record in &mut records {
-            record.take_for(&self.document, &|label| self.labels(label));
-        }
-        self.data.records = records;
-        self.records_changed();
+    pub(crate) fn recognise(&mut self, document: &Document) -> Changes {
+        self.list.iter_mut().for_each(|record| record.take_for(document));
+        Changes::RECORDS
     }
 
-    pub(crate) fn record(&self, id: u32) -> Option<&Record> {
-        self.data.records.iter().find(|record| record.id == id)
-    }
-
-    pub(crate) fn record_mut(&mut self, id: u32) -> Option<&mut Record> {
-        self.data.records.iter_mut().find(|record| record.id == id)
+    /// Names the derivatives of all records and sets their units. Needed when meanings of columns have changed.
+    pub(crate) fn settle(&mut self, document: &Document) {
+        self.list.iter_mut().for_each(|record| record.settle_made(document));
     }
 }

@@ -24,38 +24,38 @@ pub(crate) const LONGEST_SAVED: usize = 1 << 20;
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
     /// Id of the record, never reused.
-    pub id: u32,
+    pub(super) id: u32,
     /// Name: that of its file.
-    pub name: String,
+    pub(super) name: String,
     /// Text of the file, for the next visit; empty if it is too long to be stored.
-    pub text: String,
+    pub(super) text: String,
     /// Table that was read from the text.
-    pub table: Table,
+    pub(super) table: Table,
     /// Findings about the text and the data, for the present independent variable.
-    pub findings: Vec<Finding>,
+    pub(super) findings: Vec<Finding>,
     /// Findings from reading the text, before any choice of the independent variable.
-    pub said: Vec<Finding>,
+    pub(super) said: Vec<Finding>,
     /// Columns that the user has chosen as independent variables; empty if none were chosen.
-    pub against: Vec<usize>,
+    pub(super) against: Vec<usize>,
     /// True if the independent variable differs from the one suggested by the text.
-    pub settled: bool,
+    pub(super) settled: bool,
     /// Alternative sets of independent variables found in the file, if it is ambiguous. They remain available after a
     /// choice.
-    pub readings: Vec<Vec<usize>>,
+    pub(super) readings: Vec<Vec<usize>>,
     /// Columns that were computed from others: index of the column and of its source.
-    pub computed: Vec<(usize, usize)>,
+    pub(super) computed: Vec<(usize, usize)>,
     /// Derivatives computed at the user's request. They are the last columns of the table.
-    pub made: Vec<Made>,
+    pub(super) made: Vec<Made>,
     /// Use of each column.
-    pub uses: Vec<Use>,
+    pub(super) uses: Vec<Use>,
     /// True if the record is drawn.
-    pub shown: bool,
+    pub(super) shown: bool,
     /// Clock reading at which the model begins in the applied fit.
-    pub origin: Option<Origin>,
+    pub(super) origin: Option<Origin>,
     /// Values of parameters in this record, SI, by name, for fits of several records.
-    pub known: BTreeMap<String, f64>,
+    pub(super) known: BTreeMap<String, f64>,
     /// True values of parameters, SI, by name; `None` unless the data are simulated.
-    pub truth: Option<Vec<(String, f64)>>,
+    pub(super) truth: Option<Vec<(String, f64)>>,
 }
 
 /// Beginning of the model in a record.
@@ -101,19 +101,65 @@ impl Use {
 }
 
 impl Record {
+    /// Id of the record, never reused.
+    pub fn id(&self) -> u32 {
+        self.id
+    }
+
+    /// Name: that of its file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Table that was read from the text, followed by derivatives.
+    pub fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// Use of each column.
+    pub fn uses(&self) -> &[Use] {
+        &self.uses
+    }
+
+    /// Findings about the text and the data, for the present independent variable.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// True if the record is drawn.
+    pub fn is_shown(&self) -> bool {
+        self.shown
+    }
+
+    /// Beginning of the model by the applied fit, `None` if no fit has been applied.
+    pub fn fitted_origin(&self) -> Option<Origin> {
+        self.origin
+    }
+
+    /// Values of parameters in this record, SI, by name, for fits of several records.
+    pub fn known(&self) -> &BTreeMap<String, f64> {
+        &self.known
+    }
+
+    /// True values of parameters, SI, by name; `None` unless the data are simulated.
+    pub fn truth(&self) -> Option<&[(String, f64)]> {
+        self.truth.as_deref()
+    }
+
     /// Index of the source of a computed column; `None` for a measured one.
     pub fn computed_from(&self, column: usize) -> Option<usize> {
         self.computed.iter().find(|(computed, _)| *computed == column).map(|(_, source)| *source)
     }
 
     /// Recognises the meaning of all columns, except those set by the user.
-    pub fn take_for(&mut self, document: &Document, labels: &dyn Fn(&str) -> Vec<String>) {
+    pub fn take_for(&mut self, document: &Document) {
+        let labels = |label: &str| labels(document, label);
         let model = &document.program.model;
         let differentiated: Vec<_> = self.differentiated().collect();
         let settled = self.settle_variable(document);
         // Derivatives follow their source, so they take no part in the recognition.
         let made = self.table.columns.split_off(self.read_columns());
-        let mut meanings = recognise(&self.table, document, labels);
+        let mut meanings = recognise(&self.table, document, &labels);
         if !self.table.readings.is_empty() {
             // An ambiguous table measures nothing until the user has chosen the independent variable.
             meanings.iter_mut().for_each(|meaning| meaning.quantity.clear());
@@ -138,4 +184,9 @@ impl Record {
             self.settle_made(document);
         }
     }
+}
+
+/// A label in every language of a document, in lower case.
+fn labels(document: &Document, label: &str) -> Vec<String> {
+    document.program.languages().map(|language| document.program.text(language, label).to_lowercase()).collect()
 }

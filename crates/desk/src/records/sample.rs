@@ -1,9 +1,12 @@
 //! Sample records: virtual measurements of liquid columns with known parameters and fixed seeds.
 
-use crate::{Desk, Refusal};
+use crate::records::Records;
+use crate::records::measurement::{measured_text, truth_of};
+use crate::{Changes, OpenDocument, Refusal};
 use analysis::virtual_record::Camera;
 use document::Document;
-use units::{Words, words};
+use play::Play;
+use units::{Language, Words, words};
 
 /// A sample record.
 #[derive(Clone, Debug)]
@@ -49,29 +52,33 @@ pub static SAMPLES: [Sample; 4] = [
     },
 ];
 
-impl Desk {
-    /// Names of the sample records in the chosen language.
-    pub fn sample_names(&self) -> [String; SAMPLES.len()] {
-        SAMPLES.each_ref().map(|sample| sample.name.text(self.play.language()).into_owned())
+impl Sample {
+    /// Name in a language.
+    pub fn name(&self, language: Language) -> String {
+        self.name.text(language).into_owned()
     }
+}
 
+impl Records {
     /// Makes a sample record with the theory that it follows, and adds it. Returns its id.
     ///
     /// # Errors
-    /// As [`Desk::add_record`]; also if the theory lacks a parameter of the sample.
-    pub fn add_sample(&mut self, sample: usize, theory: Document) -> Result<u32, Refusal> {
+    /// As [`crate::Desk::add_record`]; also if the theory lacks a parameter of the sample.
+    pub fn add_sample(
+        &mut self,
+        open: OpenDocument<'_>,
+        sample: usize,
+        theory: Document,
+    ) -> Result<(u32, Changes), Refusal> {
         let unknown = || Refusal::unknown(sample);
         let Sample { name, settings, camera, .. } = SAMPLES.get(sample).ok_or_else(unknown)?;
-        let name = name.text(self.play.language());
-        let mut theory = Desk::open(theory);
+        let name = name.text(open.language());
+        let mut play = Play::open(theory.program);
         for (parameter, value) in *settings {
-            let index =
-                theory.play.model().parameters.iter().position(|one| one.name == *parameter).ok_or_else(unknown)?;
-            theory.play.set_parameter(index, *value)?;
+            let index = play.model().parameters.iter().position(|one| one.name == *parameter).ok_or_else(unknown)?;
+            play.set_parameter(index, *value)?;
         }
-        let text = theory.measured_text("y", camera)?;
-        let play = &theory.play;
-        let truth = play.basis().parameters(play.course()).into_iter().map(|one| (one.name, one.value)).collect();
-        self.insert_record(&name, text.as_bytes(), Some(truth))
+        let text = measured_text(&play, "y", camera)?;
+        self.insert(open, &name, text.as_bytes(), Some(truth_of(&play)))
     }
 }

@@ -1,9 +1,9 @@
 //! Origin of the unit of a column, as shown to the user.
 
-use crate::Desk;
 use crate::records::recognise::observed;
 use crate::records::record::{Record, Use};
 use analysis::origin::UnitOrigin;
+use play::Play;
 use program::Model;
 use units::Language;
 
@@ -18,30 +18,29 @@ pub(crate) struct Understood {
     pub asked: bool,
 }
 
-impl Desk {
-    pub(crate) fn understood(&self, record: &Record, index: usize) -> Understood {
-        let (Some(column), Some(used)) = (record.table.columns.get(index), record.uses.get(index)) else {
-            return Understood::default();
-        };
-        let lacks_scale = lacks_scale(self.play.model(), used);
-        let asked = record.asks_for_unit(&record.uses, index) || lacks_scale;
-        let plain = used.meaning.unit.text.is_empty() && !asked;
-        // The unit of a derivative follows from its source.
-        if used.meaning.quantity.is_empty() || plain || record.how_made(index).is_some() {
-            return Understood::default();
-        }
-        if used.stated {
-            return Understood { origin: UnitOrigin::Person.text(self.play.language()), ..Understood::default() };
-        }
-        let assumed = column.unit.is_none() && !asked;
-        let language = self.play.language();
-        let origin = match assumed {
-            _ if lacks_scale => no_scale(language).to_owned(),
-            true => language.say("assumed: the file states none").to_owned(),
-            false => column.origin.unit.text(language),
-        };
-        Understood { origin, assumed, asked }
+/// Unit of a column as shown to the user.
+pub(super) fn understood(play: &Play, record: &Record, index: usize) -> Understood {
+    let (Some(column), Some(used)) = (record.table.columns.get(index), record.uses.get(index)) else {
+        return Understood::default();
+    };
+    let lacks_scale = lacks_scale(play.model(), used);
+    let asked = record.asks_for_unit(&record.uses, index) || lacks_scale;
+    let plain = used.meaning.unit.text.is_empty() && !asked;
+    // The unit of a derivative follows from its source.
+    if used.meaning.quantity.is_empty() || plain || record.how_made(index).is_some() {
+        return Understood::default();
     }
+    if used.stated {
+        return Understood { origin: UnitOrigin::Person.text(play.language()), ..Understood::default() };
+    }
+    let assumed = column.unit.is_none() && !asked;
+    let language = play.language();
+    let origin = match assumed {
+        _ if lacks_scale => no_scale(language).to_owned(),
+        true => language.say("assumed: the file states none").to_owned(),
+        false => column.origin.unit.text(language),
+    };
+    Understood { origin, assumed, asked }
 }
 
 /// True if a column holds positions in pixels and its quantity is a length: the film has no scale.

@@ -1,7 +1,8 @@
 //! The independent variable of a record: from the file, from the document, or chosen by the user.
 
-use crate::Desk;
+use crate::records::Records;
 use crate::records::record::Record;
+use crate::{Changes, OpenDocument};
 use analysis::finding::Finding;
 use analysis::inspection::{doubtful_times, inspect};
 use analysis::origin::Reason;
@@ -22,21 +23,19 @@ pub struct VariableView {
     pub chosen: bool,
 }
 
-impl Desk {
+impl Records {
     /// Sets the independent variable of a record: one column for all, or several, each for the columns that belong to
     /// it.
-    pub fn set_record_variable(&mut self, id: u32, columns: &[usize]) {
-        let mut records = std::mem::take(&mut self.data.records);
-        let record = records.iter_mut().find(|record| record.id == id);
+    pub fn set_variable(&mut self, open: OpenDocument<'_>, id: u32, columns: &[usize]) -> Changes {
+        let record = self.get_mut(id);
         if let Some(record) = record.filter(|record| columns.iter().all(|column| *column < record.read_columns())) {
             record.against = columns.to_vec();
             // The uses of columns followed from the earlier choice.
             record.uses.clear();
             record.origin = None;
-            record.take_for(&self.document, &|label| self.labels(label));
+            record.take_for(open.document);
         }
-        self.data.records = records;
-        self.records_changed();
+        Changes::RECORDS
     }
 }
 

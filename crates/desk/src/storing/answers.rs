@@ -1,22 +1,19 @@
 //! Conversion between answers to questions and stored items.
 
-use crate::Desk;
-use play::{Answer, Attempt, Grade};
+use play::{Answer, Attempt, Grade, Play};
 use saved::Item;
 use saved::format::{self, Content};
 
-impl Desk {
-    /// The answers to store, with the names of their questions.
-    pub fn saved_answers(&self) -> Vec<(String, Item)> {
-        let saved = self.play.answers().saved(self.play.basis()).into_iter();
-        saved.map(|(name, answer)| (name, Item(Content::Answer(stored(answer))))).collect()
-    }
+/// The answers to store, with the names of their questions.
+pub fn saved_answers(play: &Play) -> Vec<(String, Item)> {
+    let saved = play.answers().saved(play.basis()).into_iter();
+    saved.map(|(name, answer)| (name, Item(Content::Answer(stored(answer))))).collect()
+}
 
-    /// Restores the answer to the question of this name. Returns true if the item is an answer and the question exists.
-    pub fn restore_answer(&mut self, question: &str, item: &Item) -> bool {
-        let Content::Answer(answer) = &item.0 else { return false };
-        self.play.restore_answer(question, &restored(answer))
-    }
+/// Restores the answer to the question of this name. Returns true if the item is an answer and the question exists.
+pub fn restore_answer(play: &mut Play, question: &str, item: &Item) -> bool {
+    let Content::Answer(answer) = &item.0 else { return false };
+    play.restore_answer(question, &restored(answer))
 }
 
 fn stored(answer: Answer) -> format::Answer {

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 /// Facts in the order in which they are made.
 #[derive(Default)]
 pub(super) struct Facts {
-    pub facts: Vec<Fact>,
+    facts: Vec<Fact>,
     /// Number of items of a part with this name.
     named: BTreeMap<(Part, String), usize>,
 }
@@ -18,6 +18,11 @@ impl Facts {
         let count = self.named.entry((part, name.clone())).or_default();
         *count += 1;
         if *count == 1 { name } else { format!("{name} ({count})") }
+    }
+
+    /// The facts.
+    pub fn into_list(self) -> Vec<Fact> {
+        self.facts
     }
 
     /// Adds the facts that the simulation states about itself.

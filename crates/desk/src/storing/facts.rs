@@ -9,42 +9,41 @@ use crate::records::record::Record;
 use play::name_of;
 use saved::hand_in::{FOLLOWS, FOLLOWS_NOT, Fact, Part};
 
-impl Desk {
-    /// Values that follow from the present work, in SI units: states and parameters of the run and of the kept runs at their
-    /// times, grades of the answers, contents and uses of the records, tables of the films, and results of the finished fits. The same work gives the same bits.
-    /// Answers are graded again.
-    pub fn facts(&mut self) -> Vec<Fact> {
-        let mut facts = Facts::default();
-        facts.take(Part::Run, self.play.facts_of_run(self.document_name()));
-        facts.take(Part::Answer, self.play.facts_of_answers());
-        for (id, name) in self.record_names() {
-            let Some(record) = self.record(id) else { continue };
-            let item = facts.item(Part::Record, record.name.clone());
-            facts.text(Part::Record, &item, "content", name);
-            facts.number(Part::Record, &item, "rows", record.table.rows() as f64);
-            facts_of_record(record, &item, &mut facts);
-        }
-        for work in &self.films.works {
-            let Some(text) = text(work) else { continue };
-            let item = facts.item(Part::Film, work.identity.name.clone());
-            facts.text(Part::Film, &item, "table", name_of(&[&text]));
-            facts_of_film(work, &item, &mut facts);
-            if let Some(record) = work.record.and_then(|record| self.record(record)) {
-                let follows = if follows(record, work) { FOLLOWS } else { FOLLOWS_NOT };
-                facts.text(Part::Film, &item, "record", follows);
-            }
-        }
-        for fit in &self.fits.finished {
-            facts_of_fit(fit, &mut facts);
-        }
-        facts.facts
+/// Values that follow from the present work, in SI units: states and parameters of the run and of the kept runs at their
+/// times, grades of the answers, contents and uses of the records, tables of the films, and results of the finished fits. The same work gives the same bits.
+/// Answers are graded again.
+pub fn facts(desk: &Desk) -> Vec<Fact> {
+    let (play, records) = (desk.play(), desk.records().records());
+    let mut facts = Facts::default();
+    facts.take(Part::Run, play.facts_of_run(name_of(&[&desk.document().source])));
+    facts.take(Part::Answer, play.facts_of_answers());
+    for (id, name) in records.names() {
+        let Some(record) = records.get(id) else { continue };
+        let item = facts.item(Part::Record, record.name().to_owned());
+        facts.text(Part::Record, &item, "content", name);
+        facts.number(Part::Record, &item, "rows", record.table().rows() as f64);
+        facts_of_record(record, &item, &mut facts);
     }
+    for work in desk.films().works() {
+        let Some(text) = text(work) else { continue };
+        let item = facts.item(Part::Film, work.identity.name.clone());
+        facts.text(Part::Film, &item, "table", name_of(&[&text]));
+        facts_of_film(work, &item, &mut facts);
+        if let Some(record) = work.record.and_then(|record| records.get(record)) {
+            let follows = if follows(record, work) { FOLLOWS } else { FOLLOWS_NOT };
+            facts.text(Part::Film, &item, "record", follows);
+        }
+    }
+    for fit in desk.fits().finished() {
+        facts_of_fit(fit, &mut facts);
+    }
+    facts.into_list()
 }
 
 /// Mean of each column, in the unit of the file, and the settings of the user.
 fn facts_of_record(record: &Record, item: &str, facts: &mut Facts) {
-    for (index, (column, used)) in record.table.columns.iter().zip(&record.uses).enumerate() {
-        let label = record.table.label(index);
+    for (index, (column, used)) in record.table().columns.iter().zip(record.uses()).enumerate() {
+        let label = record.table().label(index);
         facts.number(Part::Record, item, format!("mean of {label}"), mean(&column.values));
         let meaning = &used.meaning;
         if !meaning.quantity.is_empty() {
@@ -56,10 +55,10 @@ fn facts_of_record(record: &Record, item: &str, facts: &mut Facts) {
             facts.number(Part::Record, item, format!("zero of {label}"), used.offset);
         }
     }
-    if let Some(origin) = record.origin {
+    if let Some(origin) = record.fitted_origin() {
         facts.number(Part::Record, item, "origin", origin.reading);
     }
-    for (name, value) in &record.known {
+    for (name, value) in record.known() {
         facts.number(Part::Record, item, format!("known {name}"), *value);
     }
 }
@@ -77,7 +76,7 @@ fn follows(record: &Record, work: &Work) -> bool {
     let is_same = |(own, (_, values)): (&analysis::table::Column, &(String, &[f64]))| {
         own.values.len() == values.len() && own.values.iter().zip(values.iter()).all(is_near)
     };
-    record.read_columns() == columns.len() && record.table.columns.iter().zip(&columns).all(is_same)
+    record.read_columns() == columns.len() && record.table().columns.iter().zip(&columns).all(is_same)
 }
 
 /// Number of tracked points, and the mean of each column of the table.

@@ -6,12 +6,12 @@ use saved::{Item, Number};
 
 use super::place::{factor, place, point};
 use super::tracks;
-use crate::Desk;
 use crate::films::work::Work;
 use crate::films::{
     CalibrationForm, CameraSettings, FilmIdentity, FilmRecipe, FilmedBody, FilmedSurface, LengthsForm, POINT_SIGMA,
-    ParallaxForm, Subject,
+    ParallaxForm, ShownFilms, Subject,
 };
+use crate::records::Records;
 use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale};
 use film::tracking::column::Click;
 use play::name_of;
@@ -22,11 +22,11 @@ pub(super) const MOST_WORKS: usize = 32;
 /// computed again.
 const MOST_POINTS: usize = 10_000;
 
-impl Desk {
+impl ShownFilms<'_> {
     /// The works on films to store, each with a name that is the same at every visit. The most recent ones have
     /// priority.
-    pub fn saved_films(&self) -> Vec<(String, Item)> {
-        let records = self.record_names();
+    pub fn saved(self) -> Vec<(String, Item)> {
+        let records = self.records().names();
         let mut room = MOST_POINTS;
         let item = |work: &Work| {
             let record = records.iter().find(|(id, _)| Some(*id) == work.record).map(|(_, name)| name.clone());
@@ -38,27 +38,19 @@ impl Desk {
         };
         let worked = |work: &&Work| !work.subject.is_nothing() || work.form != CalibrationForm::default();
         let mut items: Vec<(String, Item)> =
-            self.films.works.iter().rev().filter(worked).take(MOST_WORKS).map(item).collect();
+            self.works().iter().rev().filter(worked).take(MOST_WORKS).map(item).collect();
         // Oldest first, in the order of restoring.
         items.reverse();
         items
     }
+}
 
-    /// Restores the work on a film and returns its name in the storage. Records must be restored before. `None` if the
-    /// item is not a film, or the work on this film is already there.
-    pub fn restore_film(&mut self, item: &Item) -> Option<String> {
-        let Content::Film(saved) = &item.0 else { return None };
-        let mut work = restored(saved)?;
-        let records = self.record_names();
-        work.record = records.into_iter().find(|(_, name)| Some(name) == saved.record.as_ref()).map(|(id, _)| id);
-        let name = name(&work.identity);
-        if self.films.works.iter().any(|other| other.identity.is_same_film(&work.identity)) {
-            return None;
-        }
-        self.films.works.push(work);
-        self.revision.films += 1;
-        Some(name)
-    }
+/// The stored work on a film with its record, and its name in the storage. `None` if it cannot be read.
+pub(crate) fn read(saved: &format::Film, records: &Records) -> Option<(String, Work)> {
+    let mut work = restored(saved)?;
+    let names = records.names();
+    work.record = names.into_iter().find(|(_, name)| Some(name) == saved.record.as_ref()).map(|(id, _)| id);
+    Some((name(&work.identity), work))
 }
 
 fn name(identity: &FilmIdentity) -> String {
@@ -103,7 +95,7 @@ fn saved(work: &Work, found: Option<format::FoundInFilm>, record: Option<String>
         _ => None,
     };
     format::Film {
-        name: super::records::line(&work.identity.name),
+        name: crate::records::line(&work.identity.name),
         size: work.identity.size,
         hash: work.identity.hash.clone(),
         factor: work.factor.map(Number),

@@ -6,12 +6,16 @@ mod fact_list;
 mod facts;
 mod films;
 mod fit_facts;
-mod fits;
+mod link;
 mod place;
 mod project;
-mod records;
 mod tracks;
 mod visit;
 
-pub use fits::write_varied;
+pub use answers::{restore_answer, saved_answers};
+pub use facts::facts;
+pub use link::restore;
+pub use project::{items_of_fit, project_items, take_project_items};
 pub use visit::{Visit, document_data};
+
+pub(crate) use films::read as film;

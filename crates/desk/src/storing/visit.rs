@@ -1,5 +1,6 @@
 //! One visit of a page: what it has read from the storage and written to it.
 
+use super::answers::{restore_answer, saved_answers};
 use crate::Desk;
 use saved::{Item, Shelf, Storage};
 
@@ -24,10 +25,10 @@ impl Visit {
     /// Restores records, films and fits. Returns the number of records for which there was no room; they stay in the
     /// storage.
     pub fn restore_measured(&mut self, desk: &mut Desk, storage: &mut dyn Storage) -> usize {
-        let records = self.records.read(storage, RECORDS, |_, item| key(RECORDS, desk.restore_record(item)));
+        let records = self.records.read(storage, RECORDS, |_, item| key(RECORDS, desk.restore_item(item)));
         // After the records, to which some of them belong.
-        self.films.read(storage, FILMS, |_, item| key(FILMS, desk.restore_film(item)));
-        let fits = self.fits.read(storage, FITS, |_, item| key(FITS, desk.restore_fit(item)));
+        self.films.read(storage, FILMS, |_, item| key(FILMS, desk.restore_item(item)));
+        let fits = self.fits.read(storage, FITS, |_, item| key(FITS, desk.restore_item(item)));
         if records.refused.is_empty() && records.unreadable.is_empty() {
             // The record of a fit that cannot be restored was removed in another page.
             fits.refused.iter().for_each(|key| storage.remove(key));
@@ -41,7 +42,7 @@ impl Visit {
         self.leave_document();
         self.answers.read(storage, &prefix, |key, item| {
             let question = key.strip_prefix(&prefix).unwrap_or_default();
-            desk.restore_answer(question, item).then(|| key.to_owned())
+            restore_answer(desk.play_mut(), question, item).then(|| key.to_owned())
         });
     }
 
@@ -60,10 +61,10 @@ impl Visit {
     pub fn save(&mut self, desk: &Desk, storage: &mut dyn Storage, document: &str, now: u64) -> bool {
         let mut is_stored = storage.set(&format!("{STATE}{document}"), &desk.play().share());
         for (shelf, prefix, items) in [
-            (&mut self.records, RECORDS.to_owned(), desk.saved_records()),
-            (&mut self.films, FILMS.to_owned(), desk.saved_films()),
-            (&mut self.fits, FITS.to_owned(), desk.saved_fits()),
-            (&mut self.answers, answers_of(document), desk.saved_answers()),
+            (&mut self.records, RECORDS.to_owned(), desk.records().saved()),
+            (&mut self.films, FILMS.to_owned(), desk.films().saved()),
+            (&mut self.fits, FITS.to_owned(), desk.fits().saved()),
+            (&mut self.answers, answers_of(document), saved_answers(desk.play())),
         ] {
             let items: Vec<(String, Item)> =
                 items.into_iter().map(|(name, item)| (format!("{prefix}{name}"), item)).collect();

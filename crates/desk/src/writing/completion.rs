@@ -1,7 +1,6 @@
 //! Completion and explanation at the cursor of the editor.
 
 use super::mark::{from_utf16, in_utf16};
-use crate::Desk;
 use document::assist::{Explanation, Suggestion, complete, explain, typeset_at};
 use program::Program;
 
@@ -31,11 +30,9 @@ pub fn insight(text: &str, program: Option<&Program>, place: usize) -> Insight {
     Insight { word, typeset: typeset_at(&outline, offset) }
 }
 
-impl Desk {
-    /// Completions at `place`, in UTF-16 code units, of the text in the editor. Units are those of the running model.
-    pub fn propose(&self, text: &str, place: usize) -> Proposals {
-        let found = complete(&document::read(text), Some(self.play.program()), from_utf16(text, place));
-        let from = in_utf16(text, std::iter::once(found.span.start)).into_values().next().unwrap_or_default();
-        Proposals { from, suggestions: found.suggestions }
-    }
+/// Completions at `place`, in UTF-16 code units, of a text. Units are those of the running program.
+pub fn propose(text: &str, program: &Program, place: usize) -> Proposals {
+    let found = complete(&document::read(text), Some(program), from_utf16(text, place));
+    let from = in_utf16(text, std::iter::once(found.span.start)).into_values().next().unwrap_or_default();
+    Proposals { from, suggestions: found.suggestions }
 }

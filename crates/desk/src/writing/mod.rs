@@ -1,14 +1,12 @@
 //! Editing of a document: the texts in the editor, their findings, and whether they are the running ones.
 
 mod completion;
-mod locating;
 mod mark;
-mod rewriting;
 mod sketching;
 mod state;
 mod versions;
 
-pub use completion::{Insight, Proposals, insight};
+pub use completion::{Insight, Proposals, insight, propose};
 pub use mark::{Mark, TextChange, text_changes};
 pub use sketching::DrawingPlaces;
 pub(crate) use sketching::Sketching;

@@ -2,6 +2,7 @@
 
 use document::drawing::{Ground, Located, Sketch};
 use engine::Readings;
+use play::Play;
 
 /// Positions of a drawing.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,18 +14,38 @@ pub struct DrawingPlaces {
     pub elements: Vec<Option<Located>>,
 }
 
-/// The parsed drawing of a document.
-#[derive(Debug)]
+/// The drawing of the document, parsed once it is edited by hand.
+#[derive(Debug, Default)]
 pub(crate) struct Sketching {
+    parsed: Option<Parsed>,
+}
+
+/// The parsed drawing of a text.
+#[derive(Debug)]
+struct Parsed {
     /// The text that was parsed.
-    pub source: String,
+    source: String,
     /// The drawing and the readings of its values; `None` if the text has no drawing.
-    pub sketch: Option<(Sketch, Readings)>,
+    sketch: Option<(Sketch, Readings)>,
 }
 
 impl Sketching {
+    /// Positions of the drawing of a text and its elements in the shown picture of its simulation. `None` if the text has
+    /// no drawing.
+    pub fn places(&mut self, source: &str, play: &Play) -> Option<DrawingPlaces> {
+        let known = self.parsed.take().filter(|known| known.source == source);
+        let parsed = self.parsed.insert(known.unwrap_or_else(|| Parsed::read(source)));
+        let (sketch, readings) = parsed.sketch.as_mut()?;
+        let course = play.course();
+        let values = readings.at(course.parameters(), course.initial(), course.time(), course.state());
+        let elements = (0..sketch.drawing.items.len()).map(|number| sketch.locate(number, values)).collect();
+        Some(DrawingPlaces { ground: sketch.ground(values), elements })
+    }
+}
+
+impl Parsed {
     /// Parses the drawing of a text.
-    pub fn read(source: &str) -> Self {
+    fn read(source: &str) -> Self {
         let sketch = Sketch::read(source).map(|sketch| {
             let readings = Readings::new(&sketch.model, &sketch.nodes);
             (sketch, readings)

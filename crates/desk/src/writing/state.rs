@@ -16,7 +16,7 @@ pub struct Writing {
 
 impl Writing {
     /// State of texts that run.
-    pub(super) fn of_running(texts: Vec<String>) -> Self {
+    pub fn of_running(texts: Vec<String>) -> Self {
         let opened = open(&texts);
         Self { tolerated: errors(&opened.diagnostics), findings: opened.diagnostics, texts, runs: true }
     }

@@ -130,7 +130,7 @@ fn look(desk: &mut Desk) {
         followed(desk).hover_plot(PlotId::at(plot), Point { x: 300.0, y: 100.0 });
     }
     while let Some(announcement) = desk.take_announcement() {
-        desk.announcement_text(&announcement);
+        announcement.text(desk.play());
     }
 }
 

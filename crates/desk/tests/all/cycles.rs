@@ -30,9 +30,9 @@ fn value(cell: &str) -> (f64, f64) {
 fn a_damped_sinusoid_has_the_same_period_and_damping_in_every_cycle() {
     let mut desk = utube();
     desk.add_record("film.txt", film(0.0).as_bytes()).unwrap();
-    assert_eq!(desk.cycles(), None, "nobody has looked yet");
-    desk.open_cycles(true);
-    let view = desk.cycles().expect("the record's cycles");
+    assert_eq!(desk.cycles().table(), None, "nobody has looked yet");
+    desk.change_cycles(|cycles| cycles.open(true));
+    let view = desk.cycles().table().expect("the record's cycles");
     assert_eq!(view.heads, ["t [s]", "A [cm]", "T [s]", "decrement", "ω [rad/s]", "γ [1/s]"]);
     assert!(view.rows.len() >= 12, "{}", view.rows.len());
     for (number, (kind, cells)) in view.rows.iter().enumerate() {
@@ -55,8 +55,8 @@ fn another_friction_is_seen_at_once() {
     let mut desk = utube();
     desk.set_language("es");
     desk.add_record("film.txt", film(0.6).as_bytes()).unwrap();
-    desk.open_cycles(true);
-    let view = desk.cycles().unwrap();
+    desk.change_cycles(|cycles| cycles.open(true));
+    let view = desk.cycles().table().unwrap();
     assert!(view.sentences[1].starts_with("El amortiguamiento cambia más"), "{:?}", view.sentences);
     assert!(view.rows[0].1[1].contains(','), "decimal commas: {:?}", view.rows[0]);
     let damping: Vec<f64> = view.rows.iter().map(|(_, cells)| value(&cells[5]).0).collect();
@@ -69,26 +69,26 @@ fn another_column_is_looked_at_and_a_flat_one_says_why_not() {
     let film = film(0.0);
     let rows: String = film.lines().map(|line| format!("{line}\t1\n")).collect();
     let id = desk.add_record("film.txt", rows.replacen("\t1\n", "\tflat\n", 1).as_bytes()).unwrap();
-    desk.open_cycles(true);
-    let columns = desk.cycle_columns();
+    desk.change_cycles(|cycles| cycles.open(true));
+    let columns = desk.cycles().columns();
     assert_eq!(
         columns.iter().map(|one| (one.label.as_str(), one.selected)).collect::<Vec<_>>(),
         [("film.txt: y [cm]", true), ("film.txt: flat", false)]
     );
-    desk.choose_cycles(id, 2);
-    let view = desk.cycles().unwrap();
+    desk.change_cycles(|cycles| cycles.choose(id, 2));
+    let view = desk.cycles().table().unwrap();
     assert!(view.rows.is_empty() && view.sentences[0].contains("does not oscillate"), "{view:?}");
-    assert!(!desk.play().plots().list()[desk.cycle_plot().place()].offered);
+    assert!(!desk.play().plots().list()[desk.cycles().plot().place()].offered);
     // Without the record there are no cycles; then another record replaces it.
-    desk.remove_record(id);
-    assert_eq!(desk.cycles(), None);
+    desk.change_records(|records, _| records.remove(id));
+    assert_eq!(desk.cycles().table(), None);
     desk.add_record("again.txt", film.as_bytes()).unwrap();
-    assert!(!desk.cycles().unwrap().rows.is_empty());
+    assert!(!desk.cycles().table().unwrap().rows.is_empty());
 }
 
 /// Readout of the plot of the cycles at the abscissa `x`.
 fn read(desk: &mut Desk, x: f64) -> Vec<String> {
-    let index = desk.cycle_plot();
+    let index = desk.cycles().plot();
     let figure = followed(desk).layout_plot(index, &Settings::default()).unwrap();
     let (across, panel) = (figure.x_scale().unwrap().pixel(x), figure.panel);
     let at = Point { x: across as f32, y: panel.y + panel.height / 2.0 };
@@ -110,12 +110,12 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
         })
         .collect();
     desk.add_record("film.txt", slow.join("\n").as_bytes()).unwrap();
-    desk.open_cycles(true);
-    let index = desk.cycle_plot();
+    desk.change_cycles(|cycles| cycles.open(true));
+    let index = desk.cycles().plot();
     assert_eq!(desk.play().plots().list()[index.place()].title, "Period against time");
-    let (names, _) = desk.cycle_quantities();
+    let (names, _) = desk.cycles().quantities();
     let frequency = names.iter().position(|name| name == "Angular frequency").unwrap();
-    desk.show_cycles(frequency, false);
+    desk.change_cycles(|cycles| cycles.show(frequency, false));
     assert_eq!(desk.play().plots().list()[index.place()].title, "Angular frequency against time");
     let measured = read(&mut desk, 10.0);
     assert!(measured.iter().any(|text| text.starts_with("ω = (1.9") && text.contains(" ± ")), "{measured:?}");
@@ -132,7 +132,7 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     assert!((run - omega).abs() < 0.05, "{run} is not {omega}");
     // The keyboard's cursor goes from one turning point to the next.
     for against_amplitude in [true, false] {
-        desk.show_cycles(frequency, against_amplitude);
+        desk.change_cycles(|cycles| cycles.show(frequency, against_amplitude));
         followed(&mut desk).layout_plot(index, &Settings::default());
         let at = |desk: &mut Desk| {
             let readout = followed(desk).move_cursor(index, 1).expect("there is a next one");
@@ -142,7 +142,7 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
         assert_ne!(at(&mut desk), at(&mut desk));
     }
     // Against the amplitude the points are not ordered in time.
-    desk.show_cycles(frequency, true);
+    desk.change_cycles(|cycles| cycles.show(frequency, true));
     assert_eq!(desk.play().plots().list()[index.place()].title, "Angular frequency against amplitude");
     assert!(followed(&mut desk).layout_plot(index, &Settings::default()).is_some());
 }
@@ -151,14 +151,14 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
 fn the_cycles_are_saved_with_the_numbers_of_the_reader() {
     let mut desk = utube();
     desk.add_record("Film 1.txt", film(0.0).as_bytes()).unwrap();
-    desk.open_cycles(true);
-    let file = desk.export_cycles(ExportKind::Csv).unwrap();
+    desk.change_cycles(|cycles| cycles.open(true));
+    let file = desk.cycles().export(ExportKind::Csv).unwrap();
     assert_eq!(file.name, "film-1-cycles.csv");
     let text = String::from_utf8(file.bytes).unwrap();
     assert!(text.starts_with("t [s],t_stderr [s],amplitude [cm],amplitude_stderr [cm],period [s],"), "{text}");
-    assert_eq!(text.lines().count(), desk.cycles().unwrap().rows.len() + 1);
+    assert_eq!(text.lines().count(), desk.cycles().table().unwrap().rows.len() + 1);
     desk.set_language("es");
-    let text = String::from_utf8(desk.export_cycles(ExportKind::Csv).unwrap().bytes).unwrap();
+    let text = String::from_utf8(desk.cycles().export(ExportKind::Csv).unwrap().bytes).unwrap();
     assert!(text.starts_with("\u{feff}t [s];t_stderr [s];") && text.lines().nth(1).unwrap().contains(','), "{text}");
-    assert!(desk.export_cycles(ExportKind::Workbook).unwrap().bytes.starts_with(b"PK"));
+    assert!(desk.cycles().export(ExportKind::Workbook).unwrap().bytes.starts_with(b"PK"));
 }

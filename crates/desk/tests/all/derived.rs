@@ -17,7 +17,7 @@ fn film() -> String {
 }
 
 fn columns(desk: &Desk) -> Vec<(String, String, String)> {
-    let columns = desk.records().remove(0).columns;
+    let columns = desk.records().list().remove(0).columns;
     columns.into_iter().map(|column| (column.head, column.quantity, column.made)).collect()
 }
 
@@ -25,7 +25,7 @@ fn columns(desk: &Desk) -> Vec<(String, String, String)> {
 fn derivatives_are_columns_that_are_no_witnesses() {
     let mut desk = utube();
     let id = desk.add_record("film", film().as_bytes()).unwrap();
-    desk.make_derivatives(id, 1, Differentiation::Central).unwrap();
+    desk.change_records(|records, open| records.make_derivatives(open, id, 1, Differentiation::Central)).unwrap();
     assert_eq!(
         columns(&desk)[2..],
         [
@@ -34,7 +34,7 @@ fn derivatives_are_columns_that_are_no_witnesses() {
         ]
     );
     let number = |cell: &str| cell.replace('−', "-").parse::<f64>().unwrap();
-    let cells = desk.record_cells(id, 2, 0..99);
+    let cells = desk.records().cells(id, 2, 0..99);
     // The ends and both sides of the gap have no neighbours.
     let gaps: Vec<usize> = (0..99).filter(|row| cells[*row].is_empty()).collect();
     assert_eq!(gaps, [0, 49, 50, 98]);
@@ -42,21 +42,29 @@ fn derivatives_are_columns_that_are_no_witnesses() {
     let exact = (5.0 * libm::sin(2.1) - 5.0 * libm::sin(1.9)) / 100.0;
     assert!((number(&cells[20]) - exact).abs() < 1e-6, "{} is not {exact}", cells[20]);
     // A derivative is not independent information, and fits do not use it by default.
-    let fitted: Vec<bool> = desk.records()[0].columns.iter().map(|column| column.fitted).collect();
+    let fitted: Vec<bool> = desk.records().list()[0].columns.iter().map(|column| column.fitted).collect();
     assert_eq!(fitted, [false, true, false, false]);
 
     // The derivatives are made again with polynomials, which leave no gap beside a missing frame.
-    desk.make_derivatives(id, 1, Differentiation::Smooth { window: 5, degree: 3 }).unwrap();
+    desk.change_records(|records, open| {
+        records.make_derivatives(open, id, 1, Differentiation::Smooth { window: 5, degree: 3 })
+    })
+    .unwrap();
     assert_eq!(columns(&desk).len(), 4);
-    let cells = desk.record_cells(id, 2, 0..99);
+    let cells = desk.records().cells(id, 2, 0..99);
     assert!(cells.iter().all(|cell| !cell.is_empty()));
     assert!((number(&cells[20]) - 0.01 * libm::cos(2.0)).abs() < 1e-5, "{}", cells[20]);
 
     assert_eq!(
-        desk.make_derivatives(id, 1, Differentiation::Smooth { window: 4, degree: 3 }),
+        desk.change_records(|records, open| records.make_derivatives(
+            open,
+            id,
+            1,
+            Differentiation::Smooth { window: 4, degree: 3 }
+        )),
         Err(Refusal::NoSuchPolynomial)
     );
-    desk.forget_derivatives(id);
+    desk.change_records(|records, _| records.forget_derivatives(id));
     assert_eq!(columns(&desk).len(), 2);
 }
 
@@ -65,18 +73,18 @@ fn what_was_made_follows_its_source_and_comes_back() {
     let mut desk = utube();
     let rows = film().replace("t [ms]\ty [cm]\n", "").replace('\t', " ");
     let id = desk.add_record("film", rows.as_bytes()).unwrap();
-    desk.set_column_unit(id, 0, "ms").unwrap();
-    desk.make_derivatives(id, 1, Differentiation::Forward).unwrap();
-    desk.set_column_unit(id, 1, "cm").unwrap();
+    desk.change_records(|records, open| records.set_unit(open, id, 0, "ms")).unwrap();
+    desk.change_records(|records, open| records.make_derivatives(open, id, 1, Differentiation::Forward)).unwrap();
+    desk.change_records(|records, open| records.set_unit(open, id, 1, "cm")).unwrap();
     let made = |desk: &Desk| columns(desk)[2].clone();
     assert_eq!(made(&desk), ("y' [cm/ms]".into(), "y'".into(), "forward differences".into()));
-    let saved = desk.saved_records();
+    let saved = desk.records().saved();
     let mut later = utube();
     crate::support::bring_back_records(&mut later, &saved);
     assert_eq!(columns(&later), columns(&desk));
-    assert_eq!(later.record_cells(0, 3, 0..99), desk.record_cells(id, 3, 0..99));
+    assert_eq!(later.records().cells(0, 3, 0..99), desk.records().cells(id, 3, 0..99));
     // If the source measures nothing, its derivative measures nothing.
-    desk.set_column_quantity(id, 1, "");
+    desk.change_records(|records, open| records.set_quantity(open, id, 1, ""));
     assert_eq!(made(&desk).1, "");
 }
 

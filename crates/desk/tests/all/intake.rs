@@ -10,19 +10,19 @@ const TABLE: &str = "t [s]\ty [m]\n0\t0.4\n0.5\t0.33\n1\t0.2\n1.5\tword\n2\t-0.1
 
 /// Reads a file to its end. Returns the id of the record and the last progress before the end.
 fn read(desk: &mut Desk, name: &str, bytes: &[u8], budget: usize) -> Result<(u32, f64), Refusal> {
-    desk.begin_record(name, bytes.to_vec())?;
+    desk.change_records(|records, open| records.begin(open, name, bytes.to_vec()))?;
     let mut part = 0.0;
     loop {
-        if let Some(progress) = desk.record_progress() {
+        if let Some(progress) = desk.records().progress() {
             assert_eq!(progress.name, name);
             assert!(progress.part >= part, "{} after {part}", progress.part);
             part = progress.part;
         }
-        let is_read = desk.record_is_read();
+        let is_read = desk.records().is_read();
         let added = desk.advance_record(budget)?;
         assert_eq!(added.is_some(), is_read, "a read record is added by one call, and no other");
         if let Some(id) = added {
-            assert_eq!(desk.record_progress(), None);
+            assert_eq!(desk.records().progress(), None);
             return Ok((id, part));
         }
     }
@@ -37,31 +37,32 @@ fn a_record_is_the_same_in_slices_as_at_once() {
         let (id, part) = read(&mut slices, "film", bytes, 7).unwrap();
         assert!(part > 0.5, "{part}");
         assert_eq!(whole.add_record("film", bytes).unwrap(), id);
-        assert_eq!(slices.records(), whole.records());
-        assert_eq!(slices.saved_records(), whole.saved_records());
+        assert_eq!(slices.records().list(), whole.records().list());
+        assert_eq!(slices.records().saved(), whole.records().saved());
         // A workbook is restored from its text.
         let mut later = utube();
-        crate::support::bring_back_records(&mut later, &slices.saved_records());
-        assert_eq!(later.records()[0].columns, slices.records()[0].columns);
+        crate::support::bring_back_records(&mut later, &slices.records().saved());
+        assert_eq!(later.records().list()[0].columns, slices.records().list()[0].columns);
     }
 }
 
 #[test]
 fn a_file_that_is_given_up_leaves_nothing() {
     let mut desk = utube();
-    desk.begin_record("film", TABLE.as_bytes().to_vec()).unwrap();
+    desk.change_records(|records, open| records.begin(open, "film", TABLE.as_bytes().to_vec())).unwrap();
     desk.advance_record(1).unwrap();
-    desk.cancel_record();
-    assert_eq!((desk.record_progress(), desk.records().len()), (None, 0));
+    desk.change_records(|records, _| records.cancel());
+    assert_eq!((desk.records().progress(), desk.records().list().len()), (None, 0));
     assert_eq!(desk.take_announcement(), Some(Announcement::RecordCancelled("film".to_owned())));
     assert_eq!(desk.advance_record(1), Ok(None));
     // A file that is not a table leaves no trace, and the next file is read.
     let refusal = read(&mut desk, "words", b"no numbers\nat all\n", 4).unwrap_err();
     assert!(matches!(refusal, Refusal::UnreadableRecord { .. }), "{refusal:?}");
-    assert_eq!(desk.record_progress(), None);
+    assert_eq!(desk.records().progress(), None);
     read(&mut desk, "film", TABLE.as_bytes(), 1 << 20).unwrap();
     // Neither does a file that is too large.
-    let refusal = desk.begin_record("huge", vec![b'1'; LONGEST_RECORD + 1]).unwrap_err();
+    let refusal =
+        desk.change_records(|records, open| records.begin(open, "huge", vec![b'1'; LONGEST_RECORD + 1])).unwrap_err();
     assert_eq!(refusal, Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
 }
 
@@ -78,7 +79,7 @@ fn residuals_of_a_long_record_follow_in_slices() {
     let settings = figure::Settings::default();
     let plots = desk.play().plots().list().len();
     let mut frames = 0;
-    while desk.lags() {
+    while desk.measured().lags(desk.play()) {
         let before = desk.revision();
         for index in 0..plots {
             followed(&mut desk).layout_plot(PlotId::at(index), &settings);

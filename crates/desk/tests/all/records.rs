@@ -4,7 +4,7 @@
 use crate::support::followed;
 use crate::support::utube;
 use desk::document;
-use desk::{Desk, MOST_RECORDS, Refusal, SAMPLES};
+use desk::{Desk, MOST_RECORDS, MeasurementForm, Refusal, SAMPLES};
 use figure::{Item, Settings};
 use play::Follows;
 use play::PlotId;
@@ -13,7 +13,7 @@ use std::path::Path;
 const THREE: &str = "0.1 0.40 -0.6\n0.2 0.33 -0.8\n0.3 0.24 -1.0\n0.4 0.13 -1.1\n";
 
 fn meanings(desk: &Desk, record: usize) -> Vec<(String, String, bool)> {
-    let columns = desk.records().remove(record).columns;
+    let columns = desk.records().list().remove(record).columns;
     columns.into_iter().map(|column| (column.quantity, column.unit, column.fitted)).collect()
 }
 
@@ -40,7 +40,7 @@ fn records_in_one_plot_have_colours_of_their_own() {
         own
     };
     assert_eq!(colours(&desk, PlotId::at(0), "y ("), [3, 4]);
-    assert_eq!(colours(&desk, desk.residual_plot(), ""), [3, 4]);
+    assert_eq!(colours(&desk, desk.measured().residual_plot(), ""), [3, 4]);
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn columns_are_taken_for_what_they_measure() {
     ] {
         let id = desk.add_record("a", text.as_bytes()).unwrap();
         assert_eq!(meanings(&desk, 0), owned(&expected), "{text}");
-        desk.remove_record(id);
+        desk.change_records(|records, _| records.remove(id));
     }
     // The theories measure a level that is not an unknown.
     let mut other = Desk::open(theory("linear"));
@@ -71,20 +71,23 @@ fn columns_are_taken_for_what_they_measure() {
 fn columns_are_taken_for_what_a_person_says() {
     let mut desk = utube();
     let id = desk.add_record("a", THREE.as_bytes()).unwrap();
-    desk.set_column_unit(id, 1, "cm").unwrap();
+    desk.change_records(|records, open| records.set_unit(open, id, 1, "cm")).unwrap();
     assert_eq!(
-        desk.set_column_unit(id, 1, "kg").unwrap_err(),
+        desk.change_records(|records, open| records.set_unit(open, id, 1, "kg")).unwrap_err(),
         Refusal::Play(play::Refusal::WrongUnit { typed: "kg".into(), expected: "m".into() })
     );
-    assert!(matches!(desk.set_column_unit(id, 1, "wibble"), Err(Refusal::Play(play::Refusal::UnknownUnit { .. }))));
-    desk.set_column_quantity(id, 2, "");
-    desk.set_column_fitted(id, 1, false);
+    assert!(matches!(
+        desk.change_records(|records, open| records.set_unit(open, id, 1, "wibble")),
+        Err(Refusal::Play(play::Refusal::UnknownUnit { .. }))
+    ));
+    desk.change_records(|records, open| records.set_quantity(open, id, 2, ""));
+    desk.change_records(|records, _| records.set_fitted(id, 1, false));
     assert_eq!(meanings(&desk, 0), owned(&[("t", "s", false), ("y", "cm", false), ("", "m/s", false)]));
     // A chosen quantity stays where the next document has it too; all others are recognised again.
     let mut linear = Desk::open(theory("linear"));
-    linear.adopt_records(&mut desk);
+    linear.adopt(&mut desk);
     assert_eq!(meanings(&linear, 0), owned(&[("t", "s", false), ("y", "cm", false), ("", "m/s", false)]));
-    assert_eq!(desk.records().len(), 0);
+    assert_eq!(desk.records().list().len(), 0);
 }
 
 #[test]
@@ -93,9 +96,9 @@ fn what_cannot_be_read_says_why_and_loses_nothing() {
     desk.set_language("es");
     desk.add_record("a", THREE.as_bytes()).unwrap();
     let refusal = desk.add_record("foto.png", b"\x89PNG\r\n\x1a\n\0\0").unwrap_err();
-    let text = desk.refusal_text(&refusal);
+    let text = refusal.text(desk.play());
     assert!(text.starts_with("No se pudo leer foto.png. No es texto"), "{text}");
-    assert_eq!(desk.records().len(), 1);
+    assert_eq!(desk.records().list().len(), 1);
     for _ in 1..MOST_RECORDS {
         desk.add_record("b", THREE.as_bytes()).unwrap();
     }
@@ -130,10 +133,10 @@ fn points_lie_where_they_were_measured() {
     near(dots(&mut desk, 0), &[(0.0, 0.4), (0.1, 0.33), (0.4, 0.12)]);
     // The record has no points in the phase portrait.
     assert_eq!(dots(&mut desk, 1), []);
-    desk.show_record(id, false);
+    desk.change_records(|records, _| records.show(id, false));
     assert_eq!(dots(&mut desk, 0), []);
-    desk.show_record(id, true);
-    desk.remove_record(id);
+    desk.change_records(|records, _| records.show(id, true));
+    desk.change_records(|records, _| records.remove(id));
     // Position and velocity together are a point of the phase portrait.
     desk.add_record("b", THREE.as_bytes()).unwrap();
     near(dots(&mut desk, 1), &[(0.40, -0.6), (0.33, -0.8), (0.24, -1.0), (0.13, -1.1)]);
@@ -142,14 +145,14 @@ fn points_lie_where_they_were_measured() {
 #[test]
 fn a_measurement_without_errors_leaves_nothing_over() {
     let mut desk = utube();
-    let mut form = desk.measurement_form();
+    let mut form = MeasurementForm::suited(desk.play());
     assert_eq!(form.quantity, "y");
     for field in [2, 3, 4, 5] {
         form.fields[field] = "0".to_owned();
     }
     form.fields[1] = "4".to_owned();
-    desk.measure("exact", &form).unwrap();
-    let record = desk.records().remove(0);
+    desk.change_records(|records, open| records.measure(open, "exact", &form)).unwrap();
+    let record = desk.records().list().remove(0);
     assert!(record.synthetic);
     assert_eq!(record.rows, 121);
     // The velocities were computed by the tracking program, which is detected.
@@ -175,17 +178,17 @@ fn a_measurement_without_errors_leaves_nothing_over() {
 #[test]
 fn each_error_of_a_measurement_is_checked() {
     let mut desk = utube();
-    let good = desk.measurement_form();
+    let good = MeasurementForm::suited(desk.play());
     for (field, typed) in [(0, "0"), (0, "much"), (1, "-3"), (2, "-1"), (3, "2 kg"), (6, "-1")] {
         let mut form = good.clone();
         form.fields[field] = typed.to_owned();
-        let (found, _) = desk.measure("a", &form).unwrap_err();
+        let (found, _) = desk.change_records(|records, open| records.measure(open, "a", &form)).unwrap_err();
         assert_eq!(found, field, "{typed}");
     }
-    assert_eq!(desk.records().len(), 0);
-    desk.measure("a", &good).unwrap();
-    desk.measure("b", &good).unwrap();
-    let cells = |id| desk.record_cells(id, 1, 0..400);
+    assert_eq!(desk.records().list().len(), 0);
+    desk.change_records(|records, open| records.measure(open, "a", &good)).unwrap();
+    desk.change_records(|records, open| records.measure(open, "b", &good)).unwrap();
+    let cells = |id| desk.records().cells(id, 1, 0..400);
     assert_eq!(cells(0), cells(1), "the same seed, the same errors");
 }
 
@@ -220,28 +223,29 @@ fn the_ghost_shows_the_measured_level() {
 fn records_come_back() {
     let mut desk = utube();
     let id = desk.add_record("línea\n1", THREE.as_bytes()).unwrap();
-    desk.set_column_unit(id, 1, "cm").unwrap();
-    desk.show_record(id, false);
-    desk.measure("virtual", &desk.measurement_form()).unwrap();
-    let saved = desk.saved_records();
+    desk.change_records(|records, open| records.set_unit(open, id, 1, "cm")).unwrap();
+    desk.change_records(|records, _| records.show(id, false));
+    let form = MeasurementForm::suited(desk.play());
+    desk.change_records(|records, open| records.measure(open, "virtual", &form)).unwrap();
+    let saved = desk.records().saved();
     assert_eq!(saved.len(), 2);
     let mut later = utube();
     crate::support::bring_back_records(&mut later, &saved);
-    let (before, after) = (desk.records(), later.records());
+    let (before, after) = (desk.records().list(), later.records().list());
     assert_eq!(after.len(), 2);
     assert_eq!(after[0].name, "línea 1");
     assert_eq!(after[0].columns, before[0].columns);
     assert_eq!((after[0].shown, after[1].shown, after[1].synthetic), (false, true, true));
-    assert_eq!(later.saved_records(), saved, "names and texts are the same at every visit");
+    assert_eq!(later.records().saved(), saved, "names and texts are the same at every visit");
     // Two equal records have different names.
     later.add_record("línea 1", THREE.as_bytes()).unwrap();
-    let names: Vec<String> = later.saved_records().into_iter().map(|(name, _)| name).collect();
+    let names: Vec<String> = later.records().saved().into_iter().map(|(name, _)| name).collect();
     assert!(names.len() == 3 && names[0] != names[2] && names[1] != names[2], "{names:?}");
     // A record that is too large for the browser's storage is left out.
     let rows: String = (0..200_000).map(|row| format!("{row} {row}\n")).collect();
     desk.add_record("long", rows.as_bytes()).unwrap();
-    assert_eq!(desk.saved_records(), saved);
-    assert_eq!(desk.records().iter().map(|record| record.lasting).collect::<Vec<_>>(), [true, true, false]);
+    assert_eq!(desk.records().saved(), saved);
+    assert_eq!(desk.records().list().iter().map(|record| record.lasting).collect::<Vec<_>>(), [true, true, false]);
 }
 
 #[test]
@@ -249,15 +253,15 @@ fn samples_are_made_and_fitted() {
     let mut desk = Desk::open(theory("linear"));
     for (index, sample) in SAMPLES.iter().enumerate() {
         let name = sample.file.trim_start_matches("theories/").trim_end_matches(".md");
-        desk.add_sample(index, theory(name)).unwrap();
+        desk.change_records(|records, open| records.add_sample(open, index, theory(name))).unwrap();
     }
-    let records = desk.records();
+    let records = desk.records().list();
     assert!(records.iter().all(|record| record.synthetic && record.rows == 241));
     desk.choose_record(records[1].id);
-    desk.begin_fit("theories/linear.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
     while desk.advance_fit() {}
-    let fit = desk.fits().remove(0);
-    let detail = desk.fit_detail(fit.id).unwrap();
+    let fit = desk.fits().list().remove(0);
+    let detail = desk.fits().detail(fit.id).unwrap();
     let length = detail.estimates.iter().find(|one| one.name == "L").unwrap();
     assert!(length.value.starts_with("0.24") || length.value.starts_with("0.23"), "{length:?}");
     assert!(length.remark.starts_with("true value: 0.24 m; deviation "), "{length:?}");
@@ -270,29 +274,29 @@ fn samples_are_made_and_fitted() {
 #[test]
 fn theories_are_ranked() {
     let mut desk = utube();
-    desk.add_sample(0, theory("linear")).unwrap();
+    desk.change_records(|records, open| records.add_sample(open, 0, theory("linear"))).unwrap();
     let names = ["quadratic", "linear", "cosine"];
     let theories = names.map(|name| (format!("theories/{name}.md"), theory(name)));
-    desk.begin_ranking(theories.to_vec()).unwrap();
-    assert_eq!(desk.fit_progress().unwrap().finished, (0, 3));
+    desk.change_fits(|fits, data| fits.begin_ranking(data, theories.to_vec())).unwrap();
+    assert_eq!(desk.fits().progress().unwrap().finished, (0, 3));
     while desk.advance_fit() {}
-    let fits = desk.fits();
+    let fits = desk.fits().list();
     assert_eq!(fits.len(), 3);
     assert_eq!(fits[0].theory, theory("linear").program.title);
-    assert_eq!(desk.fit_texts(fits[0].id)[0].0, "theories/linear.md");
+    assert_eq!(desk.fits().texts(fits[0].id)[0].0, "theories/linear.md");
     assert_eq!(fits[0].difference, "0.0");
     assert!(fits.iter().all(|fit| !fit.applicable), "another document is open");
     // In a desk with its document open, the fit can be applied.
     let mut opened = Desk::open(theory("linear"));
-    opened.adopt_records(&mut desk);
-    assert!(opened.fits()[0].applicable);
+    opened.adopt(&mut desk);
+    assert!(opened.fits().list()[0].applicable);
     opened.apply_fit(fits[0].id);
     assert!((opened.play().course().parameters()[0] - 0.18).abs() < 0.003);
     // A fit can be cancelled.
-    opened.begin_fit("theories/linear.md").unwrap();
-    opened.cancel_fit();
+    opened.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
+    opened.change_fits(|fits, _| fits.cancel());
     assert!(!opened.advance_fit());
-    assert_eq!(opened.fit_progress(), None);
+    assert_eq!(opened.fits().progress(), None);
 }
 
 #[test]
@@ -300,16 +304,16 @@ fn what_cannot_be_fitted_is_said() {
     let mut desk = utube();
     desk.add_record("a", THREE.as_bytes()).unwrap();
     let said = |desk: &mut Desk| {
-        let refusal = desk.begin_fit("utube.md").unwrap_err();
-        desk.refusal_text(&refusal)
+        let refusal = desk.change_fits(|fits, data| fits.begin(data, "utube.md")).unwrap_err();
+        refusal.text(desk.play())
     };
     assert_eq!(said(&mut desk), "Tick what is to be varied.");
-    (0..5).for_each(|parameter| desk.vary(parameter, true));
+    (0..5).for_each(|parameter| desk.change_fits(|fits, data| fits.vary(data.play(), parameter, true)));
     assert_eq!(said(&mut desk), "4 values cannot determine 5 numbers.");
-    desk.set_fit_window(0, "7 s").unwrap();
+    desk.change_fits(|fits, data| fits.set_window(data.play(), 0, "7 s")).unwrap();
     assert!(said(&mut desk).starts_with("No column is ticked"));
-    assert_eq!(desk.fit_window(), ["7".to_owned(), String::new()]);
-    assert!(desk.set_fit_window(1, "3 kg").is_err());
+    assert_eq!(desk.fits().window(), ["7".to_owned(), String::new()]);
+    assert!(desk.change_fits(|fits, data| fits.set_window(data.play(), 1, "3 kg")).is_err());
 }
 
 #[test]
@@ -321,7 +325,7 @@ fn columns_without_names_measure_what_the_document_draws_first() {
     let document = opened.document.unwrap_or_else(|| panic!("{:#?}", opened.diagnostics));
     let mut desk = Desk::open(document);
     desk.add_record("run.txt", b"0 1.5 0.2\n0.1 1.4 0.3\n0.2 1.2 0.1\n0.3 1.0 0.4\n").unwrap();
-    let records = desk.records();
+    let records = desk.records().list();
     let taken: Vec<&str> = records[0].columns.iter().map(|column| column.quantity.as_str()).collect();
     // The third column is ambiguous.
     assert_eq!(taken, ["t", "y", ""]);

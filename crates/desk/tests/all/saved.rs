@@ -46,18 +46,18 @@ fn records_and_fits_come_back_and_are_stored_once() {
     let (mut desk, mut visit, closed) = begin(&mut storage);
     assert_eq!(closed, 0);
     let names: Vec<(String, bool, usize)> =
-        desk.records().into_iter().map(|record| (record.name, record.shown, record.columns.len())).collect();
+        desk.records().list().into_iter().map(|record| (record.name, record.shown, record.columns.len())).collect();
     assert_eq!(names, [("tube 2.txt".into(), false, 2), ("vídeo 1.txt".into(), true, 4)]);
-    let columns = desk.records().remove(1).columns;
+    let columns = desk.records().list().remove(1).columns;
     assert_eq!(
         (columns[0].unit_origin.as_str(), columns[1].unit_origin.as_str()),
         ("stated by you", "from the header")
     );
     assert_eq!(columns[3].made, "polynomials of degree 2 over 5 rows");
-    let gamma = desk.fit_choices().iter().find(|choice| choice.name == "gamma").unwrap().index;
-    desk.vary(gamma, false);
-    desk.set_same(gamma, false);
-    assert!(desk.fit_choices()[gamma].values.iter().any(|known| known.text == "0.41"));
+    let gamma = desk.fits().choices().iter().find(|choice| choice.name == "gamma").unwrap().index;
+    desk.change_fits(|fits, data| fits.vary(data.play(), gamma, false));
+    desk.change_fits(|fits, data| fits.set_same(data.play(), gamma, false));
+    assert!(desk.fits().choices()[gamma].values.iter().any(|known| known.text == "0.41"));
 
     // No item is stored twice, and each keeps its time.
     assert!(visit.save(&desk, &mut storage, DOCUMENT, 9000));
@@ -81,15 +81,15 @@ fn records_and_fits_come_back_and_are_stored_once() {
     assert_eq!(storage, written, "another visit changes nothing");
     for desk in [&mut desk, &mut later] {
         while desk.advance_fit() {}
-        let fits = desk.fits();
+        let fits = desk.fits().list();
         assert_eq!(fits.len(), 2);
         let losses: Vec<bool> = (fits.iter())
-            .map(|fit| desk.fit_detail(fit.id).unwrap().sentences.iter().any(|one| one.contains("Tukey's loss")))
+            .map(|fit| desk.fits().detail(fit.id).unwrap().sentences.iter().any(|one| one.contains("Tukey's loss")))
             .collect();
         assert_eq!(losses.iter().filter(|tukey| **tukey).count(), 1);
         assert!(fits.iter().any(|fit| fit.records == ["vídeo 1.txt", "tube 2.txt"]));
     }
-    let details = |desk: &Desk| desk.fits().iter().map(|fit| desk.fit_detail(fit.id)).collect::<Vec<_>>();
+    let details = |desk: &Desk| desk.fits().list().iter().map(|fit| desk.fits().detail(fit.id)).collect::<Vec<_>>();
     assert_eq!(details(&desk), details(&later));
 }
 
@@ -99,8 +99,8 @@ fn what_another_page_removed_is_gone() {
     let (mut desk, mut visit, _) = begin(&mut storage);
     visit.save(&desk, &mut storage, DOCUMENT, 9000);
     let (other, mut their_visit, _) = begin(&mut storage);
-    let record = desk.records()[1].id;
-    desk.remove_record(record);
+    let record = desk.records().list()[1].id;
+    desk.change_records(|records, _| records.remove(record));
     visit.save(&desk, &mut storage, DOCUMENT, 9001);
     their_visit.save(&other, &mut storage, DOCUMENT, 9002);
     assert!(!storage.contains_key("record:159d2ddcf951f93c"));
@@ -120,7 +120,7 @@ fn a_record_that_there_is_no_room_for_stays_in_the_storage() {
         .map(|(name, since)| {
             let mut desk = linear();
             desk.add_record(name, rows(100_000 * since as usize).as_bytes()).unwrap();
-            let (key, item) = desk.saved_records().remove(0);
+            let (key, item) = desk.records().saved().remove(0);
             (format!("record:{key}"), item.write(since))
         })
         .collect();
@@ -139,15 +139,17 @@ fn answers_come_back() {
     desk.play_mut().check_answer(0, "123456");
     desk.play_mut().type_answer(1, "\"π\"\\");
     desk.play_mut().reveal_answer(1);
-    let saved = desk.saved_answers();
+    let saved = desk::saved_answers(desk.play());
     assert_eq!(saved.len(), 2);
     let mut later = utube();
     for (name, item) in &saved {
         let (_, item) = Item::read(&item.write(3)).unwrap();
-        assert!(later.restore_answer(name, &item) && !later.restore_answer("x", &item));
-        assert_eq!((later.restore_record(&item), later.restore_fit(&item)), (None, None));
+        assert!(
+            desk::restore_answer(later.play_mut(), name, &item) && !desk::restore_answer(later.play_mut(), "x", &item)
+        );
+        assert_eq!((later.restore_item(&item), later.restore_item(&item)), (None, None));
     }
-    assert_eq!(later.saved_answers(), saved);
+    assert_eq!(desk::saved_answers(later.play()), saved);
     assert_eq!(
         [0, 1].map(|question| later.play().answers().answer(later.play().basis(), question)),
         [0, 1].map(|question| desk.play().answers().answer(desk.play().basis(), question))
@@ -155,26 +157,26 @@ fn answers_come_back() {
     let text = r#"{"meniscus":3,"since":7,"item":{"answer":{"typed":"9.81 m/s²","grade":"scale","revealed":true}}}"#;
     let (since, item) = Item::read(text).unwrap();
     assert_eq!(since, 7);
-    assert!(later.restore_answer(&saved[0].0, &item));
+    assert!(desk::restore_answer(later.play_mut(), &saved[0].0, &item));
     let answer = later.play().answers().answer(later.play().basis(), 0);
     assert_eq!((answer.typed.as_str(), answer.revealed), ("9.81 m/s²", true));
     assert_eq!(answer.verdict.map(|verdict| verdict.grade), Some(Grade::WrongScale));
-    assert_eq!(later.saved_answers()[0].1.write(7), text);
+    assert_eq!(desk::saved_answers(later.play())[0].1.write(7), text);
 }
 
 /// A record with every possible setting.
 fn record() -> Desk {
     let mut desk = linear();
     let id = desk.add_record("a \"b\".txt", "t y [cm]\n0 1\n0.5 3\n1 2\n1.5 4\n2 1\n2.5 3\n3 2\n".as_bytes()).unwrap();
-    desk.set_column_unit(id, 0, "ms").unwrap();
-    desk.make_derivatives(id, 1, Differentiation::Central).unwrap();
-    desk.show_record(id, false);
+    desk.change_records(|records, open| records.set_unit(open, id, 0, "ms")).unwrap();
+    desk.change_records(|records, open| records.make_derivatives(open, id, 1, Differentiation::Central)).unwrap();
+    desk.change_records(|records, _| records.show(id, false));
     desk
 }
 
 #[test]
 fn a_record_is_stored_as_json() {
-    let saved = record().saved_records();
+    let saved = record().records().saved();
     assert_eq!(
         saved[0].1.write(1_763_812_800_000),
         concat!(
@@ -230,8 +232,8 @@ proptest! {
     fn damaged_texts_do_no_harm(which in 0..4_usize, at in any::<prop::sample::Index>(), to in "[0-9e\\-\\[\\]{}\",:a#; \n]{0,4}", cut in any::<bool>()) {
         let mut desk = linear();
         prop_assert_eq!(bring_back_texts(&mut desk, &[OTHER, RECORD, FIT, FIT_OF_TWO]), 4);
-        let fits = desk.saved_fits();
-        let records = desk.saved_records();
+        let fits = desk.fits().saved();
+        let records = desk.records().saved();
         let sound = [OTHER.to_owned(), FIT_OF_TWO.to_owned(), records[1].1.write(5), fits[1].1.write(5)];
         let text = &sound[which];
         let place = (0..=at.index(text.len())).rev().find(|place| text.is_char_boundary(*place)).unwrap_or(0);
@@ -247,7 +249,7 @@ proptest! {
         for _ in 0..3 {
             later.advance_fit();
         }
-        let saved = (later.saved_records(), later.saved_fits());
+        let saved = (later.records().saved(), later.fits().saved());
         for (_, item) in saved.0.iter().chain(&saved.1) {
             prop_assert!(Item::read(&item.write(0)).is_some());
         }
@@ -264,7 +266,7 @@ proptest! {
 fn hostile_fits_are_left_out_or_fitted() {
     let mut desk = linear();
     bring_back_texts(&mut desk, &[OTHER, RECORD, FIT, FIT_OF_TWO]);
-    let (records, fits) = (desk.saved_records(), desk.saved_fits());
+    let (records, fits) = (desk.records().saved(), desk.fits().saved());
     let sound: Vec<String> = fits.iter().map(|(_, fit)| fit.write(1)).collect();
     for (from, to) in [
         (r#"{"parameter":0}"#, r#"{"offset":99}"#),
@@ -295,10 +297,10 @@ fn hostile_fits_are_left_out_or_fitted() {
             for _ in 0..200 {
                 later.advance_fit();
             }
-            for fit in later.fits() {
-                later.fit_detail(fit.id);
+            for fit in later.fits().list() {
+                later.fits().detail(fit.id);
             }
-            assert!(later.fits().len() <= 1);
+            assert!(later.fits().list().len() <= 1);
         }
     }
 }
@@ -311,10 +313,10 @@ fn what_is_nested_or_long_without_end_is_refused() {
         format!("{{\"meniscus\":3,\"since\":1,\"item\":{{\"answer\":{{\"typed\":\"{}\"}}}}}}", "1".repeat(9 << 20));
     assert_eq!(Item::read(&long), None);
     // Repeated derivatives of one column count once.
-    let text = record().saved_records()[0].1.write(0);
+    let text = record().records().saved()[0].1.write(0);
     let one = r#"{"column":1,"method":"central"}"#;
     let many = text.replace(one, &vec![one; 1000].join(","));
     let mut desk = linear();
     assert_eq!(bring_back_texts(&mut desk, &[&many]), 1);
-    assert_eq!(desk.records()[0].columns.len(), 4);
+    assert_eq!(desk.records().list()[0].columns.len(), 4);
 }

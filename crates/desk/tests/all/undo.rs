@@ -14,11 +14,11 @@ fn told(desk: &mut Desk) -> Vec<Announcement> {
 fn everything(desk: &mut Desk) -> String {
     let parameters: Vec<f64> =
         desk.play().basis().parameters(desk.play().course()).iter().map(|parameter| parameter.value).collect();
-    let records: Vec<String> = desk.records().into_iter().map(|record| format!("{record:?}")).collect();
+    let records: Vec<String> = desk.records().list().into_iter().map(|record| format!("{record:?}")).collect();
     format!(
         "{parameters:?} {records:?} {:?} {:?} {}",
         desk.play().time_line().kept(desk.play().basis()),
-        desk.fits(),
+        desk.fits().list(),
         desk.play().time_line().has_ghost()
     )
 }
@@ -31,8 +31,8 @@ fn laboratory() -> Desk {
         play(&mut desk, [1.0]);
         desk.play_mut().keep().unwrap();
     }
-    desk.vary(0, true);
-    desk.begin_fit("utube.md").unwrap();
+    desk.change_fits(|fits, data| fits.vary(data.play(), 0, true));
+    desk.change_fits(|fits, data| fits.begin(data, "utube.md")).unwrap();
     while desk.advance_fit() {}
     play(&mut desk, [1.0]);
     desk.play_mut().scrub(0.5);
@@ -46,13 +46,19 @@ fn laboratory() -> Desk {
 fn each_removal_is_announced_and_undone() {
     type Removal = (&'static str, fn(&mut Desk));
     let removals: [Removal; 6] = [
-        ("a record", |desk| desk.remove_record(desk.records()[1].id)),
+        ("a record", |desk| {
+            let id = desk.records().list()[1].id;
+            desk.change_records(|records, _| records.remove(id));
+        }),
         ("a kept run", |desk| {
             let id = desk.play().time_line().kept(desk.play().basis())[1].id;
             desk.play_mut().remove_kept(id);
         }),
         ("the previous run", |desk| desk.play_mut().remove_ghost()),
-        ("a fit", |desk| desk.remove_fit(desk.fits()[0].id)),
+        ("a fit", |desk| {
+            let id = desk.fits().list()[0].id;
+            desk.change_fits(|fits, data| fits.remove(data.play(), id));
+        }),
         ("all parameters", |desk| desk.play_mut().restore_defaults()),
         ("a preset", |desk| desk.play_mut().apply_preset(1).unwrap()),
     ];
@@ -75,19 +81,19 @@ fn each_removal_is_announced_and_undone() {
 #[test]
 fn only_the_last_removal_is_undone() {
     let mut desk = laboratory();
-    let (first, second) = (desk.records()[0].id, desk.records()[1].id);
-    desk.remove_record(first);
+    let (first, second) = (desk.records().list()[0].id, desk.records().list()[1].id);
+    desk.change_records(|records, _| records.remove(first));
     let number = desk.undo_number().unwrap();
-    desk.remove_record(second);
+    desk.change_records(|records, _| records.remove(second));
     assert!(!desk.undo(number), "another removal came after it");
-    assert_eq!(desk.records().len(), 1);
+    assert_eq!(desk.records().list().len(), 1);
     // A reset that changes nothing leaves nothing to undo.
     desk.play_mut().restore_defaults();
     desk.play_mut().restore_defaults();
     assert_eq!(desk.undo_number(), None);
     // The numbering continues with another document, so that an old undo button undoes nothing else.
     let mut other = utube();
-    other.adopt_records(&mut desk);
+    other.adopt(&mut desk);
     set(&mut other, "b", 77.0);
     other.play_mut().restore_defaults();
     assert!(other.undo_number().unwrap() > number + 1);

@@ -1,15 +1,15 @@
 //! Editing of a document while it runs.
 
 use crate::support::{UTUBE, UTUBE_ES, open, parameter, play, set, state, utube};
-use desk::Desk;
 use desk::document::TEMPLATES;
+use desk::{Desk, Writing, propose};
 use proptest::prelude::*;
 use units::Language;
 
 /// A desk with editing started.
 fn writing() -> Desk {
     let mut desk = utube();
-    desk.begin_writing(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]);
+    desk.set_writing(Writing::of_running(vec![UTUBE.to_owned(), UTUBE_ES.to_owned()]));
     desk
 }
 
@@ -108,7 +108,7 @@ fn another_plot_leaves_residuals_and_cycles_behind_those_of_the_document() {
     let translation = UTUBE_ES.replace("```translations\n", "```translations\n\"Further\" = \"Otra\"\n");
     assert!(desk.write_all(vec![text, translation]), "{:#?}", desk.writing().findings());
     assert_eq!(desk.document().program.plots.len(), own + 1);
-    assert_eq!((desk.residual_plot().place(), desk.cycle_plot().place()), (own + 1, own + 2));
+    assert_eq!((desk.measured().residual_plot().place(), desk.cycles().plot().place()), (own + 1, own + 2));
     let plots = desk.play().plots().list();
     assert_eq!(plots.len(), own + 3);
     assert!(plots[own + 2].apart);
@@ -119,7 +119,7 @@ fn a_text_that_came_with_an_error_can_be_written_on() {
     let faulty = UTUBE.replace("```plots\n", "```plots\n\"Nothing\": nought against t\n");
     let opened = desk::document::open(&faulty, &[]);
     let mut desk = Desk::open(opened.document.expect("only a plot is missing"));
-    desk.begin_writing(vec![faulty.clone()]);
+    desk.set_writing(Writing::of_running(vec![faulty.clone()]));
     assert_eq!(desk.writing().errors(), 1);
     assert!(desk.write(0, faulty.replace("parameter b   = 50 ", "parameter b   = 60 ")));
     assert!(!desk.write(0, faulty.replace("parameter b   = 50 ", "parameter b   = 60 [")));
@@ -133,7 +133,7 @@ fn sizes_that_were_set_stay() {
     let text = "```model\nsize N = 3 in 2..9\nx[i]' = 1 [m/s] for i in 1..N\nx[i](0) = 0 [m] for i in 1..N\n```\n";
     let opened = desk::document::open(text, &[]);
     let mut desk = Desk::open(opened.document.unwrap());
-    desk.begin_writing(vec![text.to_owned()]);
+    desk.set_writing(Writing::of_running(vec![text.to_owned()]));
     desk.resize(&[("N", 5)]).unwrap();
     assert!(desk.write(0, text.replace("1 [m/s]", "2 [m/s]")));
     assert_eq!(state(&desk).len(), 5);
@@ -146,11 +146,11 @@ fn proposals_count_places_as_browsers_do() {
     let desk = writing();
     let text = "\u{1f600}\n```model\nparameter k = 1\nz = k + om\n```\n";
     let place = text.find("om").unwrap() + 2 - "\u{1f600}".len() + 2;
-    let found = desk.propose(text, place);
+    let found = propose(text, desk.play().program(), place);
     assert_eq!(found.from, place - 2);
     // Names of the running model are not suggested if this text does not define them.
     assert_eq!(found.suggestions, []);
-    let found = desk.propose(text, place - 2);
+    let found = propose(text, desk.play().program(), place - 2);
     assert_eq!(found.suggestions.iter().take(2).map(|one| one.text.as_str()).collect::<Vec<_>>(), ["k", "z"]);
 }
 
@@ -215,7 +215,7 @@ fn a_text_with_nothing_to_run_becomes_a_document_with_its_first_version_that_giv
     let document = writing.change(0, beside).expect("a document");
     assert!(writing.runs() && writing.errors() > 0);
     let mut desk = Desk::open(document);
-    desk.continue_writing(writing);
+    desk.set_writing(writing);
     // From here on the number of errors must not increase.
     assert!(!desk.write(0, UTUBE.replace("rho*S*L*y''", "rho*S*LL*y''")));
     assert!(desk.write(0, UTUBE.to_owned()));
@@ -227,7 +227,7 @@ fn the_elements_of_the_drawing_are_found_while_the_text_runs() {
     let template = TEMPLATES.iter().find(|template| template.name == "oscillator").unwrap();
     let text = template.text(Language::English);
     let mut desk = open(text, &[]);
-    desk.begin_writing(vec![text.to_owned()]);
+    desk.set_writing(Writing::of_running(vec![text.to_owned()]));
     // One centimetre is 5 units of the drawing; the spring ends 4 cm above the displacement.
     let end = |desk: &mut Desk| desk.drawing_places().unwrap().elements[2].as_ref().unwrap().grips[2].1[1];
     let at = |y: f64| 150.0 - 500.0 * (y + 0.04);

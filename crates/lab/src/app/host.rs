@@ -22,7 +22,7 @@ impl Host for Store {
     fn follow(&self) -> bool {
         self.desk().is_some_and(|mut desk| {
             desk.follow();
-            desk.lags()
+            desk.measured().lags(desk.play())
         })
     }
 
@@ -43,7 +43,7 @@ impl Host for Store {
                     Announcement::Play(of_play) => news.push(News::of_play(desk.play(), of_play)),
                     own => {
                         if matches!(own, Announcement::RecordAdded(_)) {
-                            added = desk.newest_record();
+                            added = desk.records().newest();
                         }
                         news.push(self.news_of(&desk, own));
                     }
@@ -88,12 +88,14 @@ impl Host for Store {
 
     fn part(&self) -> Option<Part> {
         let is_measuring = self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::MEASURE);
-        self.desk().filter(|desk| is_measuring && !desk.records().is_empty()).map(|desk| desk.fitted_part())
+        self.desk()
+            .filter(|desk| is_measuring && !desk.records().list().is_empty())
+            .map(|desk| desk.fits().fitted_part())
     }
 
     fn set_part(&self, part: Part) {
         if let Some(mut desk) = self.desk() {
-            desk.set_fitted_part(part);
+            desk.change_fits(|fits, _| fits.set_fitted_part(part));
         }
     }
 
@@ -118,7 +120,7 @@ impl Host for Store {
     fn resize(&self, name: &str, value: u32) -> Option<String> {
         let mut desk = self.desk()?;
         let refused = desk.resize(&[(name, value)]).err();
-        refused.map(|refusal| desk.refusal_text(&refusal))
+        refused.map(|refusal| refusal.text(desk.play()))
     }
 
     fn set_language(&self, language: Language) {
@@ -153,9 +155,9 @@ impl Host for Store {
 impl Store {
     /// News for an announcement of the desk.
     fn news_of(&self, desk: &Desk, announcement: &Announcement) -> News {
-        let news = News::new(desk.announcement_text(announcement), announcement.prominence());
+        let news = News::new(announcement.text(desk.play()), announcement.prominence());
         let lead = |message: Message| match announcement {
-            Announcement::RecordAdded(_) => match desk.newest_record() {
+            Announcement::RecordAdded(_) => match desk.records().newest() {
                 Some(id) => Some(message.leading_to(format!("record-{id}"))),
                 None => Some(message),
             },

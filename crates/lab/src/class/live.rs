@@ -63,7 +63,7 @@ async fn take(app: App, file: File) {
 /// Passes the work to the script if its items have changed. `handed`: the items of last time.
 async fn hand_in(app: App, name: String, handed: Signal<Option<Items>>) {
     // Without the time of storage, which changes alone.
-    let items = Some(app.read_desk(|desk| desk.project_items(0)));
+    let items = Some(app.read_desk(|desk| desk::project_items(desk, 0)));
     if handed.with_untracked(|before| *before == items) {
         return;
     }

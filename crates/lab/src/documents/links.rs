@@ -85,7 +85,7 @@ pub fn share(app: App, say: impl FnOnce(String) + 'static) {
     wasm_bindgen_futures::spawn_local(async move {
         let words = app.words();
         let (link, remark) = present(app).await;
-        let missing = app.read_desk(|desk| desk.missing_in_link());
+        let missing = app.read_desk(|desk| desk::missing_in_link(desk));
         // Refused inside some frames; the clipboard may still work.
         visited::note(app, Some(&link));
         let shown = link.clone();

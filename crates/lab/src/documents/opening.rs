@@ -120,7 +120,7 @@ fn place(lab: &mut Lab, mut desk: Option<Desk>) -> usize {
     let before = lab.desk.take().or_else(|| lab.parked.take());
     let mut closed = 0;
     match (before, &mut desk) {
-        (Some(mut before), Some(desk)) => desk.adopt_records(&mut before),
+        (Some(mut before), Some(desk)) => desk.adopt(&mut before),
         (None, Some(desk)) => closed = saved::restore_measured(&mut lab.saved, desk),
         (before, None) => lab.parked = before,
     }
@@ -158,7 +158,7 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
         }
         lab.findings = lab.faulty.findings().to_vec();
         let mut desk = Desk::open(document?);
-        desk.continue_writing(std::mem::take(&mut lab.faulty));
+        desk.set_writing(std::mem::take(&mut lab.faulty));
         desk.set_language(language.tag());
         lab.sources_before.clear();
         Some(place(lab, Some(desk)))
@@ -172,7 +172,7 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
 
 /// Restores a state. Returns true if sizes of families have changed, and the text of the refusal, if any.
 fn restored(desk: &mut Desk, state: &str) -> (bool, Option<String>) {
-    let (resized, result) = desk.restore(state);
+    let (resized, result) = desk::restore(desk, state);
     (resized, result.err().map(|refusal| desk.play().basis().refusal_text(&refusal)))
 }
 

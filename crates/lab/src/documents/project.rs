@@ -29,12 +29,12 @@ pub async fn open(app: App, file: &File) {
 pub fn show(app: App, name: &str, project: Project) {
     opening::go_to(app, project.documents, &project.state);
     let runs = app.read(|_| true);
-    let refused = app.act_on_desk(|desk| desk.take_project_items(&project.items).len());
+    let refused = app.act_on_desk(|desk| desk::take_project_items(desk, &project.items).len());
     let refused = if runs { refused } else { project.items.len() };
     if refused > 0 {
         app.complain(format!("{name}: {} {refused}", app.words().project_items_refused));
     }
-    if app.read_desk(|desk| desk.has_fits_waiting()) {
+    if app.read_desk(|desk| desk.fits().has_waiting()) {
         fit::go_on(app);
     }
     browser::focus_later(if runs { "play" } else { "apparatus" }.to_owned());

@@ -45,11 +45,16 @@ pub fn change(app: App, change: impl FnOnce(&mut CalibrationForm) + 'static) {
     let needs_picture = matches!(&form.lengths, LengthsForm::Ruler { intervals, .. } if *intervals > 1);
     let player = app.with(|lab| lab.player.clone()).flatten().filter(|_| needs_picture);
     let Some(player) = player else {
-        return app.films.lengths_refused.set(app.attempt_on_desk(|desk| desk.calibrate_film(form, None)));
+        return app
+            .films
+            .lengths_refused
+            .set(app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.calibrate(play, form, None))));
     };
     let frame = app.films.frame.get_untracked();
     wasm_bindgen_futures::spawn_local(async move {
         let plane = player.plane(frame).await.ok();
-        app.films.lengths_refused.set(app.attempt_on_desk(|desk| desk.calibrate_film(form, plane.as_ref())));
+        app.films.lengths_refused.set(
+            app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.calibrate(play, form, plane.as_ref()))),
+        );
     });
 }

@@ -26,7 +26,7 @@ pub fn look_at(app: App, time: &mut dyn FnMut() -> Option<f64>) {
         return;
     }
     let Some(time) = time() else { return };
-    if let Some(frame) = app.read_desk(|desk| desk.frame_at_model_time(time)) {
+    if let Some(frame) = app.read_desk(|desk| desk.films().frame_at_model_time(time)) {
         go(app, frame);
     }
 }

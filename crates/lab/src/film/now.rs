@@ -23,7 +23,7 @@ pub fn refresh(app: App) {
     let read = app.read_desk(|desk| {
         let before = films.pictures.get_clone_untracked();
         let pictures: Vec<_> =
-            desk.film().into_iter().flat_map(|film| (0..2).map_while(move |n| film.space_time(n))).collect();
+            desk.films().current().into_iter().flat_map(|film| (0..2).map_while(move |n| film.space_time(n))).collect();
         let same =
             pictures.len() == before.len() && pictures.iter().zip(&before).all(|(now, before)| **now == **before);
         let changed = (!same).then(|| pictures.into_iter().cloned().map(Rc::new).collect::<Vec<_>>());
@@ -33,7 +33,7 @@ pub fn refresh(app: App) {
     films.now.set(now);
     // An open comparison with the truth is updated after a correction.
     if films.truth.with_untracked(|truth| !truth.is_empty()) {
-        films.truth.set(app.read_desk(|desk| desk.compare_with_truth()));
+        films.truth.set(app.read_desk(|desk| desk.films().compare_with_truth()));
     }
     if let Some(pictures) = pictures {
         wasm_bindgen_futures::spawn_local(async move {
@@ -48,7 +48,7 @@ pub fn refresh(app: App) {
 pub fn models(app: App, frame: usize) -> Vec<(usize, Pixel)> {
     let tracks = now(app).map_or(0, |now| now.tracks.len());
     app.read_desk(|desk| {
-        let at = |track: usize| Some((track, desk.film_model_at(track, frame)?));
+        let at = |track: usize| Some((track, desk.film_model(track, &[frame])[0]?));
         (0..tracks).filter_map(at).collect()
     })
 }
@@ -70,7 +70,7 @@ pub fn values(app: App, frame: usize) -> String {
     for (number, track) in now.tracks.iter().enumerate() {
         let Ok(place) = track.points.binary_search_by_key(&frame, |point| point.frame) else { continue };
         let Some(point) = track.points.get(place) else { continue };
-        let mut part = app.read_desk(|desk| desk.film_position(number, frame)).unwrap_or_default();
+        let mut part = app.read_desk(|desk| desk.films().position(number, frame)).unwrap_or_default();
         if let Some((_, [x, y])) = models.iter().find(|(other, _)| *other == number) {
             let [across, down] = [x - point.position[0], y - point.position[1]];
             let residual = (across * across + down * down).sqrt();

@@ -46,7 +46,9 @@ pub fn open(app: App, file: File) {
     app.films.opening.set(Some(name.clone()));
     app.tab.set(tabs::MEASURE);
     wasm_bindgen_futures::spawn_local(async move {
-        let opened = take(app, file, Desk::open_film).await;
+        let opened =
+            take(app, file, |desk, identity, film| desk.change_films(|films, play| films.open(play, identity, film)))
+                .await;
         app.films.opening.set(None);
         let words = words::of(app);
         match opened {
@@ -79,7 +81,7 @@ pub async fn take(
     let identity = FilmIdentity::new(&source.name(), source.bytes(), &start);
     let container = source.film.clone();
     let player = Player::new(Rc::new(source)).ok_or_else(|| said(app, &Trouble::Unreadable))?;
-    let opened = app.act_on_desk(|desk| Some(open(desk, identity, container).map_err(|why| desk.refusal_text(&why))));
+    let opened = app.act_on_desk(|desk| Some(open(desk, identity, container).map_err(|why| why.text(desk.play()))));
     let opening = opened.unwrap_or_else(|| Err(said(app, &Trouble::Closed)))?;
     show(app, player, opening);
     Ok(opening)
@@ -93,8 +95,10 @@ pub async fn take(
 pub fn open_filmed(app: App, recipe: FilmRecipe, planes: Vec<Plane>, truth: FilmTruth) -> Result<FilmOpening, String> {
     forget_errors(app);
     let opened = app.act_on_desk(|desk| {
-        let opening = desk.open_filmed(recipe, planes.len(), truth).map_err(|why| desk.refusal_text(&why));
-        Some(opening.map(|opening| (opening, desk.film().map(|film| film.clip().container().clone()))))
+        let opening = desk
+            .change_films(|films, play| films.open_filmed(play, recipe, planes.len(), truth))
+            .map_err(|why| why.text(desk.play()));
+        Some(opening.map(|opening| (opening, desk.films().current().map(|film| film.clip().container().clone()))))
     });
     let (opening, container) = opened.unwrap_or_else(|| Err(said(app, &Trouble::Closed)))?;
     let player = container.and_then(|film| Player::new(Rc::new(Source::drawn(film, planes))));
@@ -163,5 +167,5 @@ pub fn close(app: App) {
     app.films.open.set(false);
     app.films.shown.set(false);
     app.with(|lab| lab.player = None);
-    app.act_on_desk(|desk| desk.close_film());
+    app.act_on_desk(|desk| desk.change_films(|films, _| films.close()));
 }

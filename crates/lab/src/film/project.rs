@@ -17,7 +17,7 @@ const MOST_UNPACKED: u64 = 256 << 20;
 /// Opens the film in the archive of the last imported project, if any. If that fails, the record is unchanged and the
 /// reason is shown.
 pub async fn open(app: App, archive: &File) {
-    let Some(own) = app.read_desk(|desk| desk.take_project_film()) else { return };
+    let Some(own) = app.read_desk(|desk| desk.change_films(|films, _| films.take_project_film())) else { return };
     app.films.opening.set(Some(own.name().to_owned()));
     let opened = match extracted(archive, &own).await {
         Ok(file) => take(app, file, |desk, identity, film| desk.open_project_film(&own, identity, film)).await,

@@ -237,7 +237,10 @@ fn place_of(event: &PointerEvent, node: &Element) -> Pixel {
 /// Applies the correction in progress.
 fn set(app: App) {
     let Some((surface, click)) = app.films.anchor.take() else { return };
-    refuse(app, app.attempt_on_desk(|desk| desk.anchor_surface(surface, click)));
+    refuse(
+        app,
+        app.attempt_on_desk(|desk| desk.change_films(|films, play| films.anchor_surface(play, surface, click))),
+    );
     tracking::go_on(app);
 }
 
@@ -258,7 +261,12 @@ fn key(app: App, event: &KeyboardEvent, strip: &Strip, _canvas: &HtmlCanvasEleme
         "Enter" => set(app),
         "Escape" => app.films.anchor.set(None),
         "Delete" | "Backspace" => {
-            refuse(app, app.attempt_on_desk(|desk| desk.release_surface(strip.surface, frame)));
+            refuse(
+                app,
+                app.attempt_on_desk(|desk| {
+                    desk.change_films(|films, play| films.release_surface(play, strip.surface, frame))
+                }),
+            );
             tracking::go_on(app);
         }
         _ => return,

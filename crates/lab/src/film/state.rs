@@ -50,7 +50,7 @@ pub struct Now {
 impl Now {
     /// Present state of the desk; `None` without an open film.
     pub fn of(desk: &Desk) -> Option<Self> {
-        let film: OpenFilm = desk.film()?;
+        let film: OpenFilm = desk.films().current()?;
         let times = film.clip().times();
         let whole = times.first().zip(times.last()).map_or([0.0; 2], |(first, last)| [*first, *last]);
         let seconds = whole[1] - whole[0];
@@ -69,10 +69,10 @@ impl Now {
             tracks: film.tracks(),
             doubts: film.doubtful(),
             plainly_in_doubt: film.is_plainly_in_doubt(),
-            record: film.record().filter(|id| desk.records().iter().any(|record| record.id == *id)),
+            record: film.record().filter(|id| desk.records().list().iter().any(|record| record.id == *id)),
             filmed: film.truth().is_some(),
             ruler: film.truth().and_then(|truth| truth.ruler.clone()),
-            notes: desk.film_notes(),
+            notes: desk.films().notes(),
         })
     }
 

@@ -26,7 +26,8 @@ pub fn follow(app: App) {
 fn ends(app: App) -> Option<[f64; 2]> {
     let last = now(app)?.ends[1];
     let frame = app.films.frame.get_untracked();
-    app.read_desk(|desk| desk.model_time_of(frame).zip(desk.model_time_of(last))).map(|(time, until)| [time, until])
+    app.read_desk(|desk| desk.films().model_time_of(frame).zip(desk.films().model_time_of(last)))
+        .map(|(time, until)| [time, until])
 }
 
 /// Computes the run to the end of the film and shows the time of the frame, in slices between which the page reacts.

@@ -145,12 +145,12 @@ pub fn change_subject(app: App, change: impl FnOnce(&mut Subject)) {
 
 /// Sets the subject without tracking.
 fn take(app: App, subject: Subject) {
-    refuse(app, app.attempt_on_desk(|desk| desk.follow_in_film(subject)));
+    refuse(app, app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.follow(play, subject))));
 }
 
 fn follow(app: App, subject: Subject) {
     let tracks = subject.needs_tracking();
-    let refusal = app.attempt_on_desk(|desk| desk.follow_in_film(subject));
+    let refusal = app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.follow(play, subject)));
     let refused = refusal.is_some();
     refuse(app, refusal);
     if tracks && !refused {
@@ -160,7 +160,7 @@ fn follow(app: App, subject: Subject) {
 
 /// Sets the fixed marks and repeats the tracking.
 pub fn set_marks(app: App, marks: Vec<Pixel>) {
-    let refusal = app.attempt_on_desk(|desk| desk.set_fixed_marks(marks));
+    let refusal = app.attempt_on_desk(|desk| desk.change_films(|films, play| films.set_fixed_marks(play, marks)));
     let refused = refusal.is_some();
     refuse(app, refusal);
     if !refused && now(app).is_some_and(|now| now.subject.needs_tracking()) {

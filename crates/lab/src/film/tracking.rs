@@ -17,7 +17,7 @@ const DAMAGED: usize = 10;
 
 /// Starts the tracking.
 pub fn begin(app: App) {
-    let refusal = app.attempt_on_desk(|desk| desk.begin_tracking());
+    let refusal = app.attempt_on_desk(|desk| desk.change_films(|films, play| films.begin_tracking(play)));
     let refused = refusal.is_some();
     refuse(app, refusal);
     if !refused {
@@ -27,7 +27,7 @@ pub fn begin(app: App) {
 
 /// Continues from the results of an earlier visit.
 pub fn take_up(app: App) {
-    refuse(app, app.attempt_on_desk(|desk| desk.take_up_tracking()));
+    refuse(app, app.attempt_on_desk(|desk| desk.change_films(|films, play| films.take_up_tracking(play))));
     go_on(app);
 }
 
@@ -48,7 +48,7 @@ pub fn go_on(app: App) {
 }
 
 fn show_progress(app: App) {
-    app.films.progress.set(app.read_desk(|desk| desk.tracking_progress()));
+    app.films.progress.set(app.read_desk(|desk| desk.films().tracking_progress()));
 }
 
 /// Runs the tracking. Returns the message of an error that ended it.
@@ -61,32 +61,32 @@ async fn follow(app: App) -> Option<String> {
     let mut end = now() + SLICE;
     let mut shown = now();
     let mut failed = 0;
-    while app.read_desk(|desk| desk.is_tracking()) {
-        let refusal = match app.read_desk(|desk| desk.wanted_frame()) {
+    while app.read_desk(|desk| desk.films().is_tracking()) {
+        let refusal = match app.read_desk(|desk| desk.films().wanted_frame()) {
             None => app.read_desk(|desk| {
                 let refused = desk.advance_tracking(STEPS).err();
-                refused.map(|refusal| desk.refusal_text(&refusal))
+                refused.map(|refusal| refusal.text(desk.play()))
             }),
             Some(frame) => {
                 let plane = match reader.picture(frame).await {
                     Ok(picture) => greys.read(&picture).await,
                     Err(Trouble::Frame(_)) => None,
                     Err(trouble) => {
-                        app.act_on_desk(|desk| desk.cancel_tracking());
+                        app.act_on_desk(|desk| desk.change_films(|films, _| films.cancel_tracking()));
                         return Some(said(app, &trouble));
                     }
                 };
                 failed = if plane.is_some() { 0 } else { failed + 1 };
                 if failed > DAMAGED {
-                    app.act_on_desk(|desk| desk.cancel_tracking());
+                    app.act_on_desk(|desk| desk.change_films(|films, _| films.cancel_tracking()));
                     return Some(said(app, &Trouble::Frame(frame + 1)));
                 }
                 app.read_desk(|desk| {
                     let refused = match plane {
-                        Some(plane) => desk.give_frame(frame, plane),
-                        None => desk.leave_out_frame(frame),
+                        Some(plane) => desk.change_films(|films, play| films.give_frame(play, frame, plane)),
+                        None => desk.change_films(|films, play| films.leave_out_frame(play, frame)),
                     };
-                    refused.err().map(|refusal| desk.refusal_text(&refusal))
+                    refused.err().map(|refusal| refusal.text(desk.play()))
                 })
             }
         };
@@ -95,8 +95,8 @@ async fn follow(app: App) -> Option<String> {
         }
         if now() > end {
             show_progress(app);
-            if now() > shown + STRIPS && app.read_desk(|desk| desk.wanted_frame()).is_some() {
-                app.act_on_desk(|desk| desk.show_strips());
+            if now() > shown + STRIPS && app.read_desk(|desk| desk.films().wanted_frame()).is_some() {
+                app.act_on_desk(|desk| desk.change_films(|films, _| films.show_strips()));
                 shown = now();
             }
             browser::breathe().await;

@@ -10,7 +10,7 @@ mod work;
 pub use work::go_on;
 
 use crate::app::App;
-use desk::{Desk, FitProgress};
+use desk::FitProgress;
 use starting::Starting;
 use theories::Suitability;
 use view::views::*;
@@ -20,7 +20,7 @@ use view::{browser, page::everything};
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.records.track();
-        app.read_desk(|desk| !desk.records().is_empty())
+        app.read_desk(|desk| !desk.records().list().is_empty())
     });
     // While the tab is open, the plots show the selected part of the time axis.
     effect(move || {
@@ -108,7 +108,7 @@ fn running(app: App, starting: Starting) -> View {
     };
     let cancel = move |_| {
         starting.press();
-        app.act_on_desk(Desk::cancel_fit);
+        app.act_on_desk(|desk| desk.change_fits(|fits, _| fits.cancel()));
         go_on(app);
         progress.set(None);
         browser::focus("fit");

@@ -31,7 +31,7 @@ fn work(app: App, id: u32, all: bool) -> Project {
     let (texts, state, items) = app.read_desk(|desk| {
         let document = desk.document();
         let texts: Vec<String> = std::iter::once(&document.source).chain(&document.translations).cloned().collect();
-        (texts, desk.play().share(), desk.items_of_fit(id, all, now))
+        (texts, desk.play().share(), desk::items_of_fit(desk, id, all, now))
     });
     let names = files(app).into_iter().map(|file| file.name);
     let names = names.chain((1..).map(|number| format!("{number}.md")));

@@ -17,7 +17,7 @@ use wasm_bindgen::JsValue;
 pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
     let listed = memo(move || {
         app.fits.track();
-        let fits = app.read_desk(|desk| desk.fits());
+        let fits = app.read_desk(|desk| desk.fits().list());
         let last = fits.iter().map(|fit| fit.id).max();
         let best = fits.first().map(|fit| fit.id).filter(|_| ranked.get());
         let shown = chosen.get().filter(|id| fits.iter().any(|fit| fit.id == *id)).or(best).or(last);
@@ -76,14 +76,14 @@ fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Si
     };
     let use_it = move |_| {
         if !applicable {
-            let texts = app.read_desk(|desk| desk.fit_texts(id));
+            let texts = app.read_desk(|desk| desk.fits().texts(id));
             opening::change_theory(app, texts.into_iter().map(|(name, text)| Source { name, text }).collect());
         }
         app.act_on_desk(|desk| desk.apply_fit(id));
         app.tab.set(tabs::MEASURE);
     };
     let forget = move |_| {
-        app.act_on_desk(|desk| desk.remove_fit(id));
+        app.act_on_desk(|desk| desk.change_fits(|fits, data| fits.remove(data.play(), id)));
         browser::focus("fit");
     };
     let pick = button()
@@ -115,7 +115,7 @@ fn exports(app: App, id: u32, several: bool) -> HtmlDiv {
         let math_font = if kind == ExportKind::Report { math_font() } else { String::new() };
         let imprint = Imprint { date: &date, math_font: &math_font };
         let export = app.read_desk(|desk| {
-            if all { desk.export_ranking(id, kind, imprint) } else { desk.export_fit(id, kind, imprint) }
+            if all { desk.fits().export_ranking(id, kind, imprint) } else { desk.fits().export(id, kind, imprint) }
         });
         if let Some(file) = export {
             if kind == ExportKind::Report {
@@ -164,7 +164,7 @@ fn estimates(app: App, detail: &FitDetail) -> HtmlTbody {
 
 fn detail(app: App, id: u32, several: bool) -> View {
     let words = app.words();
-    let Some(detail) = app.read_desk(|desk| desk.fit_detail(id)) else { return View::new() };
+    let Some(detail) = app.read_desk(|desk| desk.fits().detail(id)) else { return View::new() };
     let statistics: Vec<String> = detail.statistics.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let estimates = table_in("estimates", words.fit_varied, None, estimates(app, &detail));
     let statistics = move || {

@@ -2,7 +2,7 @@
 //! axis.
 
 use crate::app::App;
-use desk::{ChoiceView, Desk, FitRecordView, KnownView};
+use desk::{ChoiceView, FitRecordView, Fits, KnownView, measurement_units};
 use view::browser;
 use view::pieces::symbols::symbol;
 use view::views::*;
@@ -18,7 +18,7 @@ pub fn record(app: App, refusal: Refusal) -> View {
     let records = memo(move || {
         app.records.track();
         app.fits.track();
-        app.read_desk(|desk| desk.fit_records())
+        app.read_desk(|desk| desk.fits().records())
     });
     let line =
         div().class("step-line").child(changing(move || chooser(app, records.get_clone()))).child(ends(app, refusal));
@@ -31,7 +31,7 @@ pub fn varied(app: App, refusal: Refusal) -> View {
         app.changes.parameters.track();
         app.records.track();
         app.fits.track();
-        app.read_desk(|desk| desk.fit_choices())
+        app.read_desk(|desk| desk.fits().choices())
     });
     // Without the known values, which the user may be typing.
     let rows = memo(move || {
@@ -50,10 +50,10 @@ pub fn options(app: App) -> HtmlDetails {
 /// Choice of the loss function of residuals.
 fn loss(app: App) -> HtmlDiv {
     let words = app.words();
-    let (names, chosen) = app.read_desk(|desk| desk.fit_losses());
+    let (names, chosen) = app.read_desk(|desk| desk.fits().losses());
     let choose = move |event| {
         if let Ok(place) = value_of(&event).parse() {
-            app.act_on_desk(|desk| desk.set_fit_loss(place));
+            app.act_on_desk(|desk| desk.change_fits(|fits, _| fits.set_loss(place)));
         }
     };
     let options = names.into_iter().enumerate();
@@ -92,8 +92,9 @@ fn together(app: App, records: Vec<FitRecordView>) -> View {
     let several = records.iter().filter(|record| record.taking_part).count() > 1;
     let record = |record: FitRecordView| {
         let (id, place) = (record.id, format!("fit-with-{}", record.id));
-        let tick =
-            tick(place, record.taking_part, move |takes_part| app.act_on_desk(|desk| desk.fit_with(id, takes_part)));
+        let tick = tick(place, record.taking_part, move |takes_part| {
+            app.act_on_desk(|desk| desk.change_fits(|fits, _| fits.include(id, takes_part)))
+        });
         switch(tick.disabled(record.chosen), record.name)
     };
     View::from((
@@ -112,8 +113,9 @@ fn vary(app: App, refusal: Refusal, choices: Choices, rows: Vec<ChoiceView>) -> 
 
 fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several: bool) -> View {
     let index = choice.index;
-    let tick =
-        tick(format!("vary-{index}"), choice.varied, move |varied| app.act_on_desk(|desk| desk.vary(index, varied)));
+    let tick = tick(format!("vary-{index}"), choice.varied, move |varied| {
+        app.act_on_desk(|desk| desk.change_fits(|fits, data| fits.vary(data.play(), index, varied)))
+    });
     let varied = switch(tick, choice.label.clone()).maybe((!choice.name.is_empty()).then(|| symbol(&choice.name)));
     if !several {
         return varied.into();
@@ -128,7 +130,9 @@ fn row(app: App, refusal: Refusal, choices: Choices, choice: ChoiceView, several
 fn common(app: App, choice: &ChoiceView, same: bool) -> HtmlLabel {
     let words = app.words();
     let index = choice.index;
-    let tick = tick(format!("same-{index}"), same, move |same| app.act_on_desk(|desk| desk.set_same(index, same)));
+    let tick = tick(format!("same-{index}"), same, move |same| {
+        app.act_on_desk(|desk| desk.change_fits(|fits, data| fits.set_same(data.play(), index, same)))
+    });
     let tick = tick.attr("aria-label", format!("{}: {}", choice.label, words.fit_same));
     label().class("switch same").child(tick).child(span().child(words.fit_same))
 }
@@ -144,7 +148,9 @@ fn value(app: App, refusal: Refusal, choices: Choices, choice: &ChoiceView, know
     });
     let take = move |event| {
         let typed = value_of(&event);
-        refusal.set(app.attempt_on_desk(|desk| desk.set_known(index, record, &typed)));
+        refusal.set(app.attempt_on_desk(|desk| {
+            desk.change_records(|records, open| records.set_known(open, index, record, &typed))
+        }));
     };
     let field = short_field(id.clone())
         .attr("aria-label", format!("{}, {}", choice.label, known.name))
@@ -159,15 +165,17 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     let words = app.words();
     let window = memo(move || {
         app.fits.track();
-        app.read_desk(|desk| desk.fit_window())
+        app.read_desk(|desk| desk.fits().window())
     });
-    let unit = app.read_desk(|desk| desk.measurement_units("")[1].clone());
+    let unit = app.read_desk(|desk| measurement_units(desk.play(), "")[1].clone());
     let end = |(end, name): (usize, &'static str)| {
         let value = move || window.with(|window| window.get(end).cloned().unwrap_or_default());
         let id = format!("fit-end-{end}");
         let take = move |event| {
             let typed = value_of(&event);
-            refusal.set(app.attempt_on_desk(|desk| desk.set_fit_window(end, &typed)));
+            refusal.set(
+                app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.set_window(data.play(), end, &typed))),
+            );
         };
         field_of(id.clone(), name)
             .child(short_field(id).prop("value", value).when(events::change, take))
@@ -175,9 +183,9 @@ fn ends(app: App, refusal: Refusal) -> HtmlDiv {
     };
     let zoomed = memo(move || {
         app.changes.plots.track();
-        app.read_desk(|desk| desk.has_part_in_plot())
+        app.read_desk(|desk| desk.fits().has_part_in_plot())
     });
-    let take = move |_| app.act_on_desk(Desk::take_part_in_plot);
+    let take = move |_| app.act_on_desk(|desk| desk.change_fits(Fits::take_part_in_plot));
     let from_plot = button()
         .class("quiet")
         .id("fit-part-in-plot")

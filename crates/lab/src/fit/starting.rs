@@ -49,7 +49,7 @@ impl Starting {
         }
         self.show(false);
         let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-        self.refusal.set(app.attempt_on_desk(|desk| desk.begin_fit(&file)));
+        self.refusal.set(app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.begin(data, &file))));
         go_on(app);
     }
 
@@ -68,7 +68,7 @@ impl Starting {
         if is_shown && self.presses.get_untracked() != press {
             return;
         }
-        let refused = app.attempt_on_desk(|desk| desk.begin_ranking(theories));
+        let refused = app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.begin_ranking(data, theories)));
         if is_shown {
             self.refusal.set(refused);
         }

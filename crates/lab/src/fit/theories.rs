@@ -49,12 +49,12 @@ impl Suitability {
 
     /// Asks again if anything has changed on which the answer depends.
     fn ask(self, app: App) {
-        let question = app.read_desk(|desk| desk.period_question());
+        let question = app.read_desk(|desk| desk.fits().period_question(desk.revision()));
         if self.asked.with_untracked(|asked| *asked == question) {
             return;
         }
         self.asked.set(question.clone());
-        let comparison = question.and_then(|question| app.read_desk(|desk| desk.compare_periods(question)));
+        let comparison = question.and_then(|question| app.read_desk(|desk| desk.fits().compare_periods(question)));
         self.waits.set(comparison.is_some());
         match comparison {
             Some(comparison) => wasm_bindgen_futures::spawn_local(self.compute(app, comparison)),
@@ -75,7 +75,7 @@ impl Suitability {
             }
         }
         self.waits.set(false);
-        self.answer(app.read_desk(|desk| desk.cannot_hold(&comparison)));
+        self.answer(app.read_desk(|desk| desk.fits().cannot_hold(&comparison)));
     }
 
     fn answer(self, reason: Option<String>) {

@@ -12,7 +12,7 @@ const SLICE: f64 = 8.0;
 
 /// Works on pending fits, including those restored from an earlier visit. The workers call it when they have news.
 pub fn go_on(app: App) {
-    app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
+    app.fit_progress.set(app.read_desk(|desk| desk.fits().progress()));
     let begins = app.with(|lab| !std::mem::replace(&mut lab.fitting, true)).unwrap_or_default();
     if begins {
         work(app);
@@ -25,7 +25,7 @@ fn work(app: App) {
         let end = js_sys::Date::now() + SLICE;
         let (more, here) = app.with(|lab| advance(lab, end)).unwrap_or_default();
         let asked_for = app.fit_progress.with_untracked(Option::is_some);
-        app.fit_progress.set(app.read_desk(|desk| desk.fit_progress()));
+        app.fit_progress.set(app.read_desk(|desk| desk.fits().progress()));
         app.publish(false, false);
         if more && here {
             return work(app);

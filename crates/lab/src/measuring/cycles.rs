@@ -12,14 +12,14 @@ use web_sys::HtmlDetailsElement;
 pub fn view(app: App) -> View {
     let any = memo(move || {
         app.records.track();
-        app.read_desk(|desk| !desk.records().is_empty())
+        app.read_desk(|desk| !desk.records().list().is_empty())
     });
     changing(move || if any.get() { card(app) } else { View::new() })
 }
 
 fn card(app: App) -> View {
     let words = app.words();
-    let open = create_signal(app.read_desk(|desk| desk.looks_at_cycles()));
+    let open = create_signal(app.read_desk(|desk| desk.cycles().is_open()));
     // Raised whenever another selection is made.
     let looked = create_signal(0_u32);
     let mut details = details();
@@ -27,7 +27,7 @@ fn card(app: App) -> View {
     let toggled = move |_| {
         let now = node.open();
         if now != open.get_untracked() {
-            app.act_on_desk(|desk| desk.open_cycles(now));
+            app.act_on_desk(|desk| desk.change_cycles(|cycles| cycles.open(now)));
             open.set(now);
         }
     };
@@ -43,12 +43,12 @@ fn card(app: App) -> View {
 
 fn content(app: App, looked: Signal<u32>) -> View {
     let words = app.words();
-    let index = app.read_desk(|desk| desk.cycle_plot());
+    let index = app.read_desk(|desk| desk.cycles().plot());
     let shown = move || app.plot(index).is_some_and(|plot| plot.offered);
     let found = memo(move || {
         looked.track();
         app.records.track();
-        app.read_desk(|desk| desk.cycles())
+        app.read_desk(|desk| desk.cycles().table())
     });
     let sentences = move || {
         let sentences = found.get_clone().map(|found| found.sentences).unwrap_or_default();
@@ -73,31 +73,31 @@ fn choices(app: App, looked: Signal<u32>) -> HtmlDiv {
     let columns = move || {
         looked.track();
         app.records.track();
-        let columns = app.read_desk(|desk| desk.cycle_columns());
+        let columns = app.read_desk(|desk| desk.cycles().columns());
         let choose = |column: CycleColumn| {
             let value = format!("{}-{}", column.record, column.column);
             option().value(value).selected(column.selected).child(column.label)
         };
         each(columns, choose)
     };
-    let (names, drawn) = app.read_desk(|desk| desk.cycle_quantities());
+    let (names, drawn) = app.read_desk(|desk| desk.cycles().quantities());
     let quantity =
         |(number, name): (usize, String)| option().value(number.to_string()).selected(number == drawn).child(name);
     let against = move || {
         looked.track();
-        app.read_desk(|desk| desk.cycles_against_amplitude())
+        app.read_desk(|desk| desk.cycles().is_against_amplitude())
     };
     let draw = move |quantity: Option<usize>, amplitude: Option<bool>| {
         app.act_on_desk(|desk| {
-            let (now, so) = (desk.cycle_quantities().1, desk.cycles_against_amplitude());
-            desk.show_cycles(quantity.unwrap_or(now), amplitude.unwrap_or(so));
+            let (now, so) = (desk.cycles().quantities().1, desk.cycles().is_against_amplitude());
+            desk.change_cycles(|cycles| cycles.show(quantity.unwrap_or(now), amplitude.unwrap_or(so)));
         });
         looked.update(|count| *count += 1);
     };
     let choose = move |value: String| {
         let (record, column) = value.split_once('-').unwrap_or_default();
         if let (Ok(record), Ok(column)) = (record.parse(), column.parse()) {
-            app.act_on_desk(|desk| desk.choose_cycles(record, column));
+            app.act_on_desk(|desk| desk.change_cycles(|cycles| cycles.choose(record, column)));
             looked.update(|count| *count += 1);
         }
     };
@@ -134,7 +134,7 @@ fn table(app: App, found: CyclesView) -> View {
     let words = app.words();
     let row = |(kind, cells)| tr().child(row_head(kind)).each(cells, |cell: String| td().child(cell));
     let save = move |kind: ExportKind| {
-        if let Some(file) = app.read_desk(|desk| desk.export_cycles(kind)) {
+        if let Some(file) = app.read_desk(|desk| desk.cycles().export(kind)) {
             browser::save_bytes(&file.name, file.kind, &file.bytes);
         }
     };

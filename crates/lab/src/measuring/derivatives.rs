@@ -52,7 +52,11 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let place = format!("derive-{id}");
     let again = place.clone();
     let make = move |_| {
-        let refusal = app.attempt_on_desk(|desk| desk.make_derivatives(id, column.get_untracked(), choice.method()));
+        let refusal = app.attempt_on_desk(|desk| {
+            desk.change_records(|records, open| {
+                records.make_derivatives(open, id, column.get_untracked(), choice.method())
+            })
+        });
         intake::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
@@ -69,7 +73,7 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
         });
     };
     let forget = move |_| {
-        app.act_on_desk(|desk| desk.forget_derivatives(id));
+        app.act_on_desk(|desk| desk.change_records(|records, _| records.forget_derivatives(id)));
         browser::focus_later(forget_focus.clone());
     };
     let of_what = select()

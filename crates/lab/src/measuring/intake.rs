@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::film;
-use desk::{Desk, Gathering, LONGEST_RECORD, RecordProgress, Refusal};
+use desk::{Gathering, LONGEST_RECORD, RecordProgress, Refusal};
 use view::page::message::Message;
 use view::panel::tabs;
 use view::views::*;
@@ -30,7 +30,7 @@ fn bar(app: App, name: &str) -> View {
         (100.0 * part).floor().to_string()
     };
     let cancel = move |_| {
-        app.act_on_desk(Desk::cancel_record);
+        app.act_on_desk(|desk| desk.change_records(|records, _| records.cancel()));
         app.record_progress.set(None);
         browser::focus("choose-record");
     };
@@ -82,7 +82,9 @@ async fn read_file(app: App, file: &File, earlier: Option<&[Message]>) -> Option
         return None;
     }
     let begun = match gathered {
-        Some(gathering) => app.read_desk(|desk| Some(desk.begin_project(&name, gathering))),
+        Some(gathering) => {
+            app.read_desk(|desk| Some(desk.change_records(|records, _| records.begin_project(&name, gathering))))
+        }
         None => Some(Ok(false)),
     };
     let mut refusal = match begun {
@@ -100,24 +102,24 @@ async fn read_file(app: App, file: &File, earlier: Option<&[Message]>) -> Option
                 return None;
             }
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
-            app.attempt_on_desk(|desk| desk.begin_record(&name, bytes))
+            app.attempt_on_desk(|desk| desk.change_records(|records, open| records.begin(open, &name, bytes)))
         }
     };
-    while refusal.is_none() && app.read_desk(|desk| desk.record_progress().is_some()) {
+    while refusal.is_none() && app.read_desk(|desk| desk.records().progress().is_some()) {
         browser::breathe().await;
         let end = js_sys::Date::now() + SLICE;
         refusal = app.read_desk(|desk| {
             loop {
                 if let Err(refusal) = desk.advance_record(BUDGET) {
-                    return Some(desk.refusal_text(&refusal));
+                    return Some(refusal.text(desk.play()));
                 }
                 // To add a long record takes a slice of its own.
-                if desk.record_progress().is_none() || desk.record_is_read() || js_sys::Date::now() >= end {
+                if desk.records().progress().is_none() || desk.records().is_read() || js_sys::Date::now() >= end {
                     return None;
                 }
             }
         });
-        let progress = app.read_desk(|desk| desk.record_progress());
+        let progress = app.read_desk(|desk| desk.records().progress());
         if progress.is_some() {
             app.record_progress.set(progress);
         }

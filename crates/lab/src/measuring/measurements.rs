@@ -3,6 +3,7 @@
 use crate::app::App;
 use crate::measuring::intake::{self, refuse};
 use crate::{film, fit, library, measuring::cycles, measuring::records, measuring::virtual_form};
+use desk::SAMPLES;
 use view::panel::tabs;
 use view::views::*;
 use view::{browser, pieces::icons};
@@ -43,7 +44,7 @@ fn ways_in(app: App) -> View {
             area.set_value("");
         }
     };
-    let names = app.read_desk(|desk| desk.sample_names().to_vec());
+    let names = app.read_desk(|desk| SAMPLES.each_ref().map(|sample| sample.name(desk.play().language())).to_vec());
     let choose = |(number, name): (usize, String)| {
         button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
     };
@@ -79,10 +80,15 @@ fn ways_in(app: App) -> View {
 
 /// Adds a sample record.
 pub fn sample(app: App, number: usize) {
-    let file = desk::SAMPLES.get(number).map_or("", |sample| sample.file);
+    let file = SAMPLES.get(number).map_or("", |sample| sample.file);
     let theory = library::theories().into_iter().find(|entry| entry.file() == file).and_then(|entry| entry.open());
     if let Some(theory) = theory {
-        refuse(app, app.attempt_on_desk(|desk| desk.add_sample(number, theory).map(|_| ())));
+        refuse(
+            app,
+            app.attempt_on_desk(|desk| {
+                desk.change_records(|records, open| records.add_sample(open, number, theory)).map(|_| ())
+            }),
+        );
     }
 }
 

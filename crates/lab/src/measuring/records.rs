@@ -17,7 +17,7 @@ pub fn view(app: App) -> View {
     let choice = derivatives::Choice::new();
     let records = memo(move || {
         app.records.track();
-        app.read_desk(|desk| desk.records())
+        app.read_desk(|desk| desk.records().list())
     });
     // Without the units, which the user may be typing.
     let items = memo(move || {
@@ -40,10 +40,10 @@ fn item(app: App, records: Records, record: RecordView, choice: derivatives::Cho
     let id = record.id;
     let label_of_remove = format!("{}: {}", words.remove_record, record.name);
     let tick = tick(format!("show-record-{id}"), record.shown, move |shown| {
-        app.act_on_desk(|desk| desk.show_record(id, shown));
+        app.act_on_desk(|desk| desk.change_records(|records, _| records.show(id, shown)));
     });
     let remove = move |_| {
-        app.act_on_desk(|desk| desk.remove_record(id));
+        app.act_on_desk(|desk| desk.change_records(|records, _| records.remove(id)));
         browser::focus_later("choose-record".to_owned());
     };
     let remove = cross(label_of_remove).when(events::click, remove);
@@ -85,7 +85,9 @@ fn variable(app: App, record: &RecordView) -> HtmlLabel {
     let choose = move |event| {
         let place = value_of(&event).parse::<usize>().ok();
         if let Some(choice) = place.and_then(|place| choices.get(place)) {
-            app.act_on_desk(|desk| desk.set_record_variable(record, &choice.columns));
+            app.act_on_desk(|desk| {
+                desk.change_records(|records, open| records.set_variable(open, record, &choice.columns))
+            });
             browser::focus_later(again.clone());
         }
     };
@@ -104,7 +106,7 @@ fn exports(app: App, record: &RecordView) -> HtmlDiv {
     let id = record.id;
     let save = |name: &'static str, kind: ExportKind| {
         let save = move |_| {
-            if let Some(file) = app.read_desk(|desk| desk.export_record(id, kind)) {
+            if let Some(file) = app.read_desk(|desk| desk::export_record(desk, id, kind)) {
                 browser::save_bytes(&file.name, file.kind, &file.bytes);
             }
         };
@@ -123,14 +125,14 @@ fn exports(app: App, record: &RecordView) -> HtmlDiv {
 fn preview(app: App, records: Records, record: &RecordView) -> HtmlDiv {
     let words = app.words();
     let id = record.id;
-    let measurable = app.read_desk(|desk| desk.measurable());
+    let measurable = app.read_desk(|desk| desk.records().measurable());
     let line = |column: &ColumnView| {
         let made = (!column.made.is_empty()).then(|| span().class("note made").child(column.made.clone()));
         let (index, rows) = (column.index, 0..ROWS.min(record.rows));
         // The record of a film changes while the user works on the film.
         let first = memo(move || {
             app.records.track();
-            let cells = app.read_desk(|desk| desk.record_cells(id, index, rows.clone())).into_iter();
+            let cells = app.read_desk(|desk| desk.records().cells(id, index, rows.clone())).into_iter();
             cells.map(|cell| if cell.is_empty() { "–".to_owned() } else { cell }).collect::<Vec<_>>().join(" · ")
         });
         let first = span().class("note first-values").child(text(move || first.get_clone()));
@@ -154,7 +156,7 @@ fn quantity(app: App, record: u32, column: &ColumnView, measurable: &[(String, S
     let again = id.clone();
     let choose = move |event| {
         let name = value_of(&event);
-        app.act_on_desk(|desk| desk.set_column_quantity(record, index, &name));
+        app.act_on_desk(|desk| desk.change_records(|records, open| records.set_quantity(open, record, index, &name)));
         browser::focus_later(again.clone());
     };
     let choice = |value: &str, label: &str| {
@@ -183,7 +185,8 @@ fn unit(app: App, records: Records, record: u32, column: &ColumnView) -> View {
     });
     let take = move |event| {
         let typed = value_of(&event);
-        let refusal = app.attempt_on_desk(|desk| desk.set_column_unit(record, index, &typed));
+        let refusal = app
+            .attempt_on_desk(|desk| desk.change_records(|records, open| records.set_unit(open, record, index, &typed)));
         intake::refuse(app, refusal);
         browser::focus_later(again.clone());
     };
@@ -213,7 +216,7 @@ fn fitted(app: App, record: u32, column: &ColumnView) -> View {
     }
     let (index, id) = (column.index, format!("fitted-{record}-{}", column.index));
     let tick = tick(id, column.fitted, move |fitted| {
-        app.act_on_desk(|desk| desk.set_column_fitted(record, index, fitted));
+        app.act_on_desk(|desk| desk.change_records(|records, _| records.set_fitted(record, index, fitted)));
     });
     td().child(tick.attr("aria-label", name(app, |words| words.column_fitted, column))).into()
 }

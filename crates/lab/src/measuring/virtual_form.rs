@@ -1,13 +1,13 @@
 //! Form of the virtual measurement.
 
 use crate::app::App;
-use desk::{MEASUREMENT_FIELDS, MeasurementForm};
+use desk::{MEASUREMENT_FIELDS, MeasurementForm, measurement_units};
 use view::views::*;
 
 /// The form; its settings are folded.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
-    let form = create_signal(app.read_desk(|desk| desk.measurement_form()));
+    let form = create_signal(app.read_desk(|desk| MeasurementForm::suited(desk.play())));
     let refusal = create_signal(None::<(usize, String)>);
     let labels = [
         words.virtual_rate,
@@ -18,8 +18,8 @@ pub fn view(app: App) -> HtmlDiv {
         words.virtual_scale,
         words.virtual_seed,
     ];
-    let units = memo(move || form.with(|form| app.read_desk(|desk| desk.measurement_units(&form.quantity))));
-    let measurable = app.read_desk(|desk| desk.measurable());
+    let units = memo(move || form.with(|form| app.read_desk(|desk| measurement_units(desk.play(), &form.quantity))));
+    let measurable = app.read_desk(|desk| desk.records().measurable());
     let choose = |(value, label): (String, String)| {
         let chosen = form.with_untracked(|form| form.quantity == value);
         option().value(value).selected(chosen).child(label)
@@ -27,9 +27,11 @@ pub fn view(app: App) -> HtmlDiv {
     let measure = move |_| {
         let asked: MeasurementForm = form.get_clone_untracked();
         let answer = app.act_on_desk(|desk| {
-            let number = desk.records().iter().filter(|record| record.synthetic).count() + 1;
+            let number = desk.records().list().iter().filter(|record| record.synthetic).count() + 1;
             let name = format!("{} {number}", words.virtual_name);
-            desk.measure(&name, &asked).err().map(|(field, refusal)| (field, desk.refusal_text(&refusal)))
+            desk.change_records(|records, open| records.measure(open, &name, &asked))
+                .err()
+                .map(|(field, refusal)| (field, refusal.text(desk.play())))
         });
         refusal.set(answer);
     };

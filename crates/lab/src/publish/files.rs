@@ -27,7 +27,8 @@ pub fn view(app: App) -> View {
 }
 
 fn save_project(app: App) {
-    let (state, items) = app.read_desk(|desk| (desk.play().share(), desk.project_items(js_sys::Date::now() as u64)));
+    let (state, items) =
+        app.read_desk(|desk| (desk.play().share(), desk::project_items(desk, js_sys::Date::now() as u64)));
     let project = Project { documents: files(app), state, items };
     browser::save_text(&format!("{}{PROJECT_ENDING}", stem(app)), "application/json", &project.write());
 }

@@ -35,9 +35,9 @@ fn make(app: App, name: String, done: impl FnOnce(String) + 'static) {
 pub async fn made(app: App, name: String) -> Option<(HandIn, usize)> {
     let now = js_sys::Date::now() as u64;
     let (state, items, left_out) = app.read_desk(|desk| {
-        let stored = desk.saved_records().len();
-        let left_out = desk.records().len().saturating_sub(stored);
-        (desk.play().share(), desk.project_items(now), left_out)
+        let stored = desk.records().saved().len();
+        let left_out = desk.records().list().len().saturating_sub(stored);
+        (desk.play().share(), desk::project_items(desk, now), left_out)
     });
     let work = Project { documents: files(app), state, items };
     let recomputation = Recomputation::begin(&work).ok()?;

@@ -12,7 +12,7 @@ pub fn begin(app: App) {
     app.with(|lab| {
         let Lab { desk: Some(desk), sources, .. } = lab else { return };
         if !desk.writing().has_begun() {
-            desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
+            desk.set_writing(Writing::of_running(sources.iter().map(|source| source.text.clone()).collect()));
         }
     });
 }

@@ -2,6 +2,7 @@
 
 use crate::app::{App, Lab};
 use crate::documents::visited::Visited;
+use desk::Writing;
 use view::panel::tabs;
 
 /// Restores the draft of the open document from a history entry.
@@ -10,7 +11,7 @@ pub fn resume(app: App, visited: Option<Visited>) {
         let Lab { desk: Some(desk), sources, .. } = lab else { return false };
         let draft = visited.filter(|visited| visited.sources == *sources).and_then(|visited| visited.draft);
         let Some(draft) = draft else { return false };
-        desk.begin_writing(sources.iter().map(|source| source.text.clone()).collect());
+        desk.set_writing(Writing::of_running(sources.iter().map(|source| source.text.clone()).collect()));
         desk.write_all(draft);
         true
     });

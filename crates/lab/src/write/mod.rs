@@ -95,7 +95,7 @@ async fn show(app: App, place: &Element) -> Option<()> {
         Some(editor) => editor,
         None => {
             let propose = move |text: String, place| {
-                (app.read_desk(|desk| desk.propose(&text, place)), app.language.get_untracked())
+                (app.read_desk(|desk| desk::propose(&text, desk.play().program(), place)), app.language.get_untracked())
             };
             let written = move |file, text| changes::written(app, file, text);
             let started = Editor::start(written, propose, move |text, place| insight::look(app, &text, place)).await?;

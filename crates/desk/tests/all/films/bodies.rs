@@ -64,8 +64,8 @@ fn drawing([x, y]: [f64; 2]) -> Plane {
 /// Films the simulation of the desk, clicks the body slightly off its centre, and marks a ruler of 500 pixels.
 fn filmed(scene: &Scene) -> Desk {
     let mut desk = open(scene.source, &[]);
-    let recipe = desk.film_recipe(scene.settings).expect("a recipe");
-    let mut play = desk.filmed_play(&recipe).expect("its run");
+    let recipe = desk.films().recipe(scene.settings).expect("a recipe");
+    let mut play = desk.films().filmed_play(&recipe).expect("its run");
     play.play();
     while play.course().front() < scene.settings.seconds + 0.1 && !play.course().has_ended() {
         play.tick(0.05);
@@ -86,10 +86,19 @@ fn filmed(scene: &Scene) -> Desk {
         planes.push(exposure.develop(&noise, frame as u64).expect("a picture"));
     }
     let [x, y] = place(scene.settings.time(0));
-    desk.open_filmed(recipe, planes.len(), FilmTruth { pixel: Some(scene.pixel), ruler: None, parts: Vec::new() })
-        .expect("opened");
-    desk.follow_in_film(Subject::Bodies(vec![FilmedBody::new(Click { frame: 0, position: [x + 1.5, y - 1.0] })]))
-        .expect("a body");
+    desk.change_films(|films, play| {
+        films.open_filmed(
+            play,
+            recipe,
+            planes.len(),
+            FilmTruth { pixel: Some(scene.pixel), ruler: None, parts: Vec::new() },
+        )
+    })
+    .expect("opened");
+    desk.work_on_film(|films, play| {
+        films.follow(play, Subject::Bodies(vec![FilmedBody::new(Click { frame: 0, position: [x + 1.5, y - 1.0] })]))
+    })
+    .expect("a body");
     track(&mut desk, &|frame| planes[frame].clone());
     let lengths = LengthsForm::Ruler {
         marks: [[70.0, 350.0], [570.0, 350.0]],
@@ -97,23 +106,25 @@ fn filmed(scene: &Scene) -> Desk {
         intervals: 1,
     };
     let form = CalibrationForm { lengths, origin: Some(scene.origin), ..CalibrationForm::default() };
-    desk.calibrate_film(form, None).expect("a scale");
+    desk.work_on_film(|films, play| films.calibrate(play, form, None)).expect("a scale");
     desk
 }
 
 /// Fits some parameters from other starts, and the zeros of clock and scale: the first exposure ends slightly after the
 /// start, and the click off the centre shifts positions. Returns value and standard error by name.
 fn fitted(desk: &mut Desk, varied: &[(&str, f64)]) -> impl Fn(&str) -> [f64; 2] + use<> {
-    let choices = desk.fit_choices();
+    let choices = desk.fits().choices();
     let parameters = desk.play().model().parameters.len();
     for choice in &choices {
         let zero = choice.index >= parameters;
-        desk.vary(choice.index, zero || varied.iter().any(|(name, _)| *name == choice.name));
+        desk.change_fits(|fits, data| {
+            fits.vary(data.play(), choice.index, zero || varied.iter().any(|(name, _)| *name == choice.name))
+        });
     }
     varied.iter().for_each(|(name, value)| set(desk, name, *value));
-    desk.begin_fit("theory.md").expect("a fit");
+    desk.change_fits(|fits, data| fits.begin(data, "theory.md")).expect("a fit");
     while desk.advance_fit() {}
-    let detail = desk.fit_detail(desk.fits()[0].id).expect("it is finished");
+    let detail = desk.fits().detail(desk.fits().list()[0].id).expect("it is finished");
     let style = desk.play().style();
     move |name: &str| {
         let text = &detail.estimates.iter().find(|one| one.name == name).unwrap_or_else(|| panic!("{name}")).value;
@@ -132,7 +143,7 @@ fn a_filmed_pendulum_gives_g() {
     let settings = CameraSettings { seconds: 8.0, rate: 30.0, exposure: 0.004, noise: 2.0, seed: 1 };
     let body = |state: &[f64]| [libm::sin(state[0]), -libm::cos(state[0])];
     let mut desk = filmed(&Scene { source: PENDULUM, settings, body, origin: [320.0, 20.0], pixel: 1.0 / 300.0 });
-    assert_eq!(desk.film().expect("it is open").tracks()[0].points.len(), 240);
+    assert_eq!(desk.films().current().expect("it is open").tracks()[0].points.len(), 240);
     let found = fitted(&mut desk, &[("g", 9.0), ("theta_0", 18.0_f64.to_radians()), ("gamma", 0.1)]);
     // The length of the thread is known, so that the period gives g.
     near("g", found("g"), 9.81, 0.02);
@@ -145,7 +156,7 @@ fn a_filmed_throw_gives_g() {
     let settings = CameraSettings { seconds: 2.5, rate: 60.0, exposure: 0.002, noise: 2.0, seed: 1 };
     let body = |state: &[f64]| [state[0], state[1]];
     let mut desk = filmed(&Scene { source: PROJECTILE, settings, body, origin: [40.0, 330.0], pixel: 0.1 });
-    assert_eq!(desk.film().expect("it is open").tracks()[0].points.len(), 150);
+    assert_eq!(desk.films().current().expect("it is open").tracks()[0].points.len(), 150);
     let found = fitted(&mut desk, &[("g", 9.0), ("v_0", 28.0), ("alpha", 47.0_f64.to_radians())]);
     near("g", found("g"), 9.81, 0.1);
     near("v_0", found("v_0"), 30.0, 0.2);

@@ -39,9 +39,9 @@ y'(0) = 0 [cm/s]    "Velocity"
 "#;
 
 fn recipe(desk: &Desk, change: impl FnOnce(&mut CameraSettings)) -> FilmRecipe {
-    let mut settings = desk.usual_camera().unwrap();
+    let mut settings = desk.films().usual_camera().unwrap();
     change(&mut settings);
-    desk.film_recipe(settings).unwrap()
+    desk.films().recipe(settings).unwrap()
 }
 
 /// The drawn tube in a picture of the camera.
@@ -72,9 +72,11 @@ fn truth(settings: &CameraSettings, frames: usize) -> FilmTruth {
 
 /// Films, follows the level and calibrates.
 fn filmed(desk: &mut Desk, recipe: &FilmRecipe, frames: usize) -> FilmOpening {
-    let opening = desk.open_filmed(recipe.clone(), frames, truth(&recipe.settings, frames)).unwrap();
+    let opening = desk
+        .change_films(|films, play| films.open_filmed(play, recipe.clone(), frames, truth(&recipe.settings, frames)))
+        .unwrap();
     if opening == FilmOpening::New {
-        desk.follow_in_film(surface()).unwrap();
+        desk.work_on_film(|films, play| films.follow(play, surface())).unwrap();
         super::scene::track(desk, &|frame| plane(recipe.settings.time(frame), frame as u64));
     }
     opening
@@ -86,11 +88,11 @@ fn a_track_is_compared_with_the_truth() {
     let recipe = recipe(&desk, |_| ());
     assert_eq!(filmed(&mut desk, &recipe, 75), FilmOpening::New);
     assert!(
-        desk.film_notes().iter().any(|note| note.starts_with("Virtual camera: exposure 4.0 ms")),
+        desk.films().notes().iter().any(|note| note.starts_with("Virtual camera: exposure 4.0 ms")),
         "{:?}",
-        desk.film_notes()
+        desk.films().notes()
     );
-    let [comparison] = &desk.compare_with_truth()[..] else { panic!("one surface") };
+    let [comparison] = &desk.films().compare_with_truth()[..] else { panic!("one surface") };
     assert!((0.001..0.1).contains(&comparison.rms), "{}", comparison.rms);
     assert_eq!(comparison.metres, Some(comparison.rms * PIXEL));
     assert_eq!((comparison.scale_error, comparison.differences.len()), (None, 75));
@@ -100,8 +102,8 @@ fn a_track_is_compared_with_the_truth() {
     let [first, later] = [0, 40].map(|at| comparison.path[at].1[1] + level(recipe.settings.time(at)));
     assert!((first - later).abs() < 1e-9, "{first} {later}");
     // The marks are 100 pixels apart, which are 10 cm: the scale is right.
-    desk.calibrate_film(ruler(), None).unwrap();
-    let error = desk.compare_with_truth()[0].scale_error.unwrap();
+    desk.work_on_film(|films, play| films.calibrate(play, ruler(), None)).unwrap();
+    let error = desk.films().compare_with_truth()[0].scale_error.unwrap();
     assert!(error.abs() < 1e-9, "{error}");
 }
 
@@ -111,37 +113,40 @@ fn the_same_recipe_is_the_same_film_at_the_next_visit() {
     crate::support::set(&mut desk, "y_0", 0.05);
     let recipe = recipe(&desk, |settings| settings.noise = 3.0);
     filmed(&mut desk, &recipe, 75);
-    let saved = desk.saved_films();
+    let saved = desk.films().saved();
     let mut next = open(SIMULATION, &[]);
     for (name, item) in &saved {
-        assert_eq!(next.restore_film(item).as_ref(), Some(name));
+        assert_eq!(next.restore_item(item).as_ref(), Some(name));
     }
-    assert_eq!(next.film_recipes(), std::slice::from_ref(&recipe));
-    let play = next.filmed_play(&recipe).unwrap();
+    assert_eq!(next.films().recipes(), std::slice::from_ref(&recipe));
+    let play = next.films().filmed_play(&recipe).unwrap();
     assert_eq!(play.course().parameters(), desk.play().from_start().course().parameters());
     assert_eq!(filmed(&mut next, &recipe, 75), FilmOpening::TakenUp);
-    assert_eq!(next.film_recipes(), [], "the open one is not offered again");
+    assert_eq!(next.films().recipes(), [], "the open one is not offered again");
     // The tracks are shown at once. Only the strips are read; nothing is computed.
-    let found = next.film().unwrap().tracks();
-    assert_eq!(found, desk.film().unwrap().tracks());
-    next.take_up_tracking().unwrap();
-    while let Some(frame) = next.wanted_frame() {
-        next.give_frame(frame, plane(recipe.settings.time(frame), frame as u64)).unwrap();
+    let found = next.films().current().unwrap().tracks();
+    assert_eq!(found, desk.films().current().unwrap().tracks());
+    next.change_films(|films, play| films.take_up_tracking(play)).unwrap();
+    while let Some(frame) = next.films().wanted_frame() {
+        next.change_films(|films, play| {
+            films.give_frame(play, frame, plane(recipe.settings.time(frame), frame as u64))
+        })
+        .unwrap();
         if frame == 30 {
-            next.show_strips();
-            let picture = next.film().unwrap().space_time(0).unwrap();
+            next.change_films(|films, _| films.show_strips());
+            let picture = next.films().current().unwrap().space_time(0).unwrap();
             assert_eq!((picture.frames.len(), picture.read), (75, 31));
         }
     }
     assert_eq!(next.advance_tracking(1), Ok(true));
-    assert!(!next.is_tracking() && next.film().unwrap().tracks() == found);
-    assert_eq!(next.film().unwrap().space_time(0), desk.film().unwrap().space_time(0));
+    assert!(!next.films().is_tracking() && next.films().current().unwrap().tracks() == found);
+    assert_eq!(next.films().current().unwrap().space_time(0), desk.films().current().unwrap().space_time(0));
     // A correction does not need the frames again.
     let at = found[0].points[20].position;
-    next.anchor_surface(0, Click { frame: 20, position: at }).unwrap();
-    assert_eq!(next.wanted_frame(), None);
+    next.change_films(|films, play| films.anchor_surface(play, 0, Click { frame: 20, position: at })).unwrap();
+    assert_eq!(next.films().wanted_frame(), None);
     while !next.advance_tracking(10).unwrap() {}
-    let again = next.film().unwrap().tracks();
+    let again = next.films().current().unwrap().tracks();
     assert!((again[0].points[40].position[1] - found[0].points[40].position[1]).abs() < 0.02);
 }
 
@@ -167,11 +172,11 @@ fn what_no_camera_can_film_is_refused_in_both_languages() {
     let mut desk = super::laboratory();
     for (language, reason) in [("en", "no scene"), ("es", "no tiene escena")] {
         desk.set_language(language);
-        let why = desk.usual_camera().unwrap_err();
-        assert!(desk.refusal_text(&why).contains(reason), "{}", desk.refusal_text(&why));
+        let why = desk.films().usual_camera().unwrap_err();
+        assert!(why.text(desk.play()).contains(reason), "{}", why.text(desk.play()));
     }
     let mut desk = open(SIMULATION, &[]);
-    let usual = desk.usual_camera().unwrap();
+    let usual = desk.films().usual_camera().unwrap();
     for wrong in [
         CameraSettings { seconds: f64::NAN, ..usual },
         CameraSettings { seconds: 1e9, ..usual },
@@ -182,14 +187,14 @@ fn what_no_camera_can_film_is_refused_in_both_languages() {
     ] {
         let words = wrong.check().unwrap_err();
         assert!(words.text(Language::English) != words.text(catalogues::with(Language::Spanish)));
-        assert!(desk.film_recipe(wrong).is_err(), "{wrong:?}");
+        assert!(desk.films().recipe(wrong).is_err(), "{wrong:?}");
     }
     // Another version of the document is another simulation.
     let recipe = recipe(&desk, |_| ());
-    assert!(open(&SIMULATION.replace("= 8 ", "= 9 "), &[]).filmed_play(&recipe).is_err());
+    assert!(open(&SIMULATION.replace("= 8 ", "= 9 "), &[]).films().filmed_play(&recipe).is_err());
     // Without known truth there is no comparison.
-    assert_eq!(desk.compare_with_truth(), []);
-    desk.open_film(super::identity("file.mp4"), super::container(20)).unwrap();
-    desk.follow_in_film(Subject::Nothing).unwrap();
-    assert_eq!(desk.compare_with_truth(), []);
+    assert_eq!(desk.films().compare_with_truth(), []);
+    desk.change_films(|films, play| films.open(play, super::identity("file.mp4"), super::container(20))).unwrap();
+    desk.work_on_film(|films, play| films.follow(play, Subject::Nothing)).unwrap();
+    assert_eq!(desk.films().compare_with_truth(), []);
 }

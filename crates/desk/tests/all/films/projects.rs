@@ -91,8 +91,8 @@ fn opened(masses: usize, edit: impl Fn(String) -> String) -> (Desk, Result<FilmO
     let mut desk = laboratory();
     let bytes = packed(masses, edit);
     desk.add_record("swing.trz", &bytes).unwrap();
-    let film = desk.take_project_film().expect("its film is in the archive");
-    assert_eq!(desk.take_project_film(), None, "it is given once");
+    let film = desk.change_films(|films, _| films.take_project_film()).expect("its film is in the archive");
+    assert_eq!(desk.change_films(|films, _| films.take_project_film()), None, "it is given once");
     assert_eq!((film.name(), film.is_deflated(), film.size()), ("swing.mp4", false, 19));
     let range = film.range().start as usize..film.range().end as usize;
     assert_eq!(&bytes[range], b"the bytes of a film");
@@ -104,8 +104,8 @@ fn opened(masses: usize, edit: impl Fn(String) -> String) -> (Desk, Result<FilmO
 fn the_film_has_positions_scale_and_part_of_the_project_and_its_own_times() {
     let (desk, opening) = opened(1, |text| text);
     assert_eq!(opening, Ok(FilmOpening::New));
-    assert_eq!(desk.records().len(), 1, "it is the record of the project");
-    assert_eq!(desk.records()[0].name, "swing.trz");
+    assert_eq!(desk.records().list().len(), 1, "it is the record of the project");
+    assert_eq!(desk.records().list()[0].name, "swing.trz");
     let columns = columns(&desk);
     assert_eq!(columns[0].len(), 20);
     for (row, frame) in (1..=20).enumerate() {
@@ -119,7 +119,7 @@ fn the_film_has_positions_scale_and_part_of_the_project_and_its_own_times() {
             );
         }
     }
-    let film = desk.film().expect("it is open");
+    let film = desk.films().current().expect("it is open");
     let Subject::Points { clicks, .. } = film.subject() else { panic!("{:?}", film.subject()) };
     assert_eq!((clicks.len(), clicks[0].frame, clicks[19].position), (20, 1, [40.0, 175.0]));
     assert_eq!((film.ends(), film.factor()), ([1, 20], 1.0));
@@ -130,8 +130,8 @@ fn the_film_has_positions_scale_and_part_of_the_project_and_its_own_times() {
     assert_eq!((length.as_str(), right - left), ("0.1 m", 100.0));
     assert!(*left > 0.0 && *y < HEIGHT as f64);
     let said = "Times are those of the frames of its film, and not the constant step of 33 ms of the project.";
-    assert!(desk.film_notes().iter().any(|note| note == said), "{:?}", desk.film_notes());
-    let findings = &desk.records()[0].findings;
+    assert!(desk.films().notes().iter().any(|note| note == said), "{:?}", desk.films().notes());
+    let findings = &desk.records().list()[0].findings;
     assert!(findings.iter().any(|finding| finding == said), "{findings:?}");
     assert!(findings.iter().any(|finding| finding.contains("2 of 20 positions are key frames")), "{findings:?}");
     assert!(!findings.iter().any(|finding| finding.contains("meniscus track")), "{findings:?}");
@@ -142,22 +142,31 @@ fn a_project_without_a_duration_gets_the_times_of_its_film() {
     let untimed = |text: String| text.replace("delta_t", "other_t");
     let mut desk = laboratory();
     desk.add_record("swing.trz", &packed(1, untimed)).unwrap();
-    let assumed =
-        |desk: &Desk| desk.records()[0].findings.iter().any(|finding| finding.contains("no duration is assumed"));
-    assert!(assumed(&desk), "{:?}", desk.records()[0].findings);
-    let film = desk.take_project_film().expect("its film is in the archive");
+    let assumed = |desk: &Desk| {
+        desk.records().list()[0].findings.iter().any(|finding| finding.contains("no duration is assumed"))
+    };
+    assert!(assumed(&desk), "{:?}", desk.records().list()[0].findings);
+    let film = desk.change_films(|films, _| films.take_project_film()).expect("its film is in the archive");
     assert_eq!(desk.open_project_film(&film, identity("swing.mp4"), container(40)), Ok(FilmOpening::New));
-    assert!((columns(&desk)[0][0] - 1.0 / RATE).abs() < 1e-5 && !assumed(&desk), "{:?}", desk.records()[0].findings);
-    assert_eq!(desk.film().expect("it is open").factor(), 1.0);
+    assert!(
+        (columns(&desk)[0][0] - 1.0 / RATE).abs() < 1e-5 && !assumed(&desk),
+        "{:?}",
+        desk.records().list()[0].findings
+    );
+    assert_eq!(desk.films().current().expect("it is open").factor(), 1.0);
     let said = "Times are those of the frames of its film.";
-    assert!(desk.records()[0].findings.iter().any(|finding| finding == said), "{:?}", desk.records()[0].findings);
+    assert!(
+        desk.records().list()[0].findings.iter().any(|finding| finding == said),
+        "{:?}",
+        desk.records().list()[0].findings
+    );
 }
 
 #[test]
 fn several_masses_are_bodies_with_key_frames() {
     let (desk, opening) = opened(2, |text| text);
     assert_eq!(opening, Ok(FilmOpening::New));
-    let film = desk.film().expect("it is open");
+    let film = desk.films().current().expect("it is open");
     let Subject::Bodies(bodies) = film.subject() else { panic!("{:?}", film.subject()) };
     let frames = |body: &FilmedBody| body.keys.iter().map(|key| key.frame).collect::<Vec<_>>();
     assert_eq!(bodies.iter().map(frames).collect::<Vec<_>>(), [[1, 8], [1, 8]]);
@@ -173,14 +182,14 @@ fn a_stated_slow_motion_is_taken_and_known_work_is_kept() {
     let slow = |text: String| text.replace("33.0", "4.1666667");
     let (mut desk, opening) = opened(1, slow);
     assert_eq!(opening, Ok(FilmOpening::New));
-    assert!((desk.film().expect("it is open").factor() - 8.0).abs() < 1e-6);
+    assert!((desk.films().current().expect("it is open").factor() - 8.0).abs() < 1e-6);
     assert!((columns(&desk)[0][0] - 1.0 / 240.0).abs() < 1e-5);
     // A film that comes with another project keeps the work done on it.
     desk.add_record("again.trz", &packed(1, |text| text)).unwrap();
-    let film = desk.take_project_film().expect("its film is in the archive");
+    let film = desk.change_films(|films, _| films.take_project_film()).expect("its film is in the archive");
     assert_eq!(desk.open_project_film(&film, identity("swing.mp4"), container(40)), Ok(FilmOpening::TakenUp));
-    assert!((desk.film().expect("it is open").factor() - 8.0).abs() < 1e-6);
-    assert_eq!(desk.records().len(), 2);
+    assert!((desk.films().current().expect("it is open").factor() - 8.0).abs() < 1e-6);
+    assert_eq!(desk.records().list().len(), 2);
 }
 
 #[test]
@@ -211,15 +220,15 @@ fn what_a_film_cannot_have_leaves_the_record_as_it_is() {
     ];
     for (edit, expected) in cases {
         let (desk, opening) = opened(1, edit);
-        let why = desk.refusal_text(&opening.expect_err(expected));
+        let why = opening.expect_err(expected).text(desk.play());
         assert!(why.contains(expected), "{why} lacks {expected}");
-        assert!(desk.film().is_none(), "{expected}");
+        assert!(desk.films().current().is_none(), "{expected}");
         assert_eq!(columns(&desk)[0][1], 0.033, "{expected}: the step of the project");
     }
     let (desk, opening) = opened(5, |text| text);
-    assert!(desk.refusal_text(&opening.expect_err("five")).contains("5 masses"));
+    assert!(opening.expect_err("five").text(desk.play()).contains("5 masses"));
     // A project by itself has no film.
     let mut desk = laboratory();
     desk.add_record("swing.trk", &project(1, |text| text)).unwrap();
-    assert_eq!(desk.take_project_film(), None);
+    assert_eq!(desk.change_films(|films, _| films.take_project_film()), None);
 }

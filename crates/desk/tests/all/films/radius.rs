@@ -37,14 +37,14 @@ fn ball([across, down]: [f64; 2]) -> Subject {
 /// A film with a clicked ball, not tracked yet.
 fn clicked() -> Desk {
     let mut desk = laboratory();
-    desk.open_film(identity("ball.mp4"), container(FRAMES)).unwrap();
-    desk.follow_in_film(ball(BESIDE)).unwrap();
+    desk.change_films(|films, play| films.open(play, identity("ball.mp4"), container(FRAMES))).unwrap();
+    desk.work_on_film(|films, play| films.follow(play, ball(BESIDE))).unwrap();
     desk
 }
 
 /// Radius, distance of the centre from that of the ball, both in pixels; true for a radius that was set.
 fn outline(desk: &Desk) -> Option<(f64, f64, bool)> {
-    let outline = desk.film().unwrap().body_outline(0)?;
+    let outline = desk.films().current().unwrap().body_outline(0)?;
     let aside = libm::hypot(outline.offset[0] + BESIDE[0], outline.offset[1] + BESIDE[1]);
     Some((outline.radius, aside, outline.is_set))
 }
@@ -60,28 +60,28 @@ fn the_radius_is_found_and_set_and_found_again() {
     assert_eq!(outline(&desk), None, "nothing is known before the film was tracked");
     track(&mut desk, &picture);
     assert_found(&desk);
-    let found = desk.film().unwrap().tracks();
+    let found = desk.films().current().unwrap().tracks();
     let aside = libm::hypot(BESIDE[0], BESIDE[1]);
-    desk.set_radius(0, Some(16.0)).unwrap();
+    desk.work_on_film(|films, play| films.set_radius(play, 0, Some(16.0))).unwrap();
     assert_eq!(outline(&desk), Some((16.0, aside, true)), "at once, around the click");
     assert_eq!(track(&mut desk, &picture), FRAMES, "the film is tracked with it");
-    let set = desk.film().unwrap().tracks();
+    let set = desk.films().current().unwrap().tracks();
     assert_eq!(set[0].outline.map(|outline| outline.radius), Some(16.0), "by the tracker itself");
     assert!(set[0].points != found[0].points);
-    desk.set_radius(0, None).unwrap();
+    desk.work_on_film(|films, play| films.set_radius(play, 0, None)).unwrap();
     assert_eq!(outline(&desk), None, "the radius that was set is not taken for one that was found");
     track(&mut desk, &picture);
-    assert_eq!(desk.film().unwrap().tracks(), found);
+    assert_eq!(desk.films().current().unwrap().tracks(), found);
 }
 
 #[test]
 fn a_radius_is_a_length_once_there_is_a_scale() {
     let mut desk = clicked();
-    let metres = |desk: &Desk| desk.film().unwrap().body_outline(0).unwrap().metres;
-    desk.set_radius(0, Some(16.0)).unwrap();
+    let metres = |desk: &Desk| desk.films().current().unwrap().body_outline(0).unwrap().metres;
+    desk.work_on_film(|films, play| films.set_radius(play, 0, Some(16.0))).unwrap();
     assert_eq!(metres(&desk), None);
     // 10 cm are 100 pixels.
-    desk.calibrate_film(ruler(), None).unwrap();
+    desk.work_on_film(|films, play| films.calibrate(play, ruler(), None)).unwrap();
     assert!((metres(&desk).unwrap() - 0.016).abs() < 1e-12);
 }
 
@@ -89,35 +89,35 @@ fn a_radius_is_a_length_once_there_is_a_scale() {
 #[test]
 fn a_radius_that_cannot_be_followed_is_refused() {
     let mut desk = clicked();
-    desk.set_radius(0, Some(16.0)).unwrap();
+    desk.work_on_film(|films, play| films.set_radius(play, 0, Some(16.0))).unwrap();
     let texts = [("en", "from 3 to 80 px"), ("es", "de 3 a 80 px")];
     for radius in [f64::NAN, f64::INFINITY, -16.0, 0.0, 2.9, 80.1, 1e9] {
         for (language, part) in texts {
             desk.set_language(language);
-            let refusal = desk.set_radius(0, Some(radius)).unwrap_err();
-            let text = desk.refusal_text(&refusal);
+            let refusal = desk.work_on_film(|films, play| films.set_radius(play, 0, Some(radius))).unwrap_err();
+            let text = refusal.text(desk.play());
             assert!(text.contains(part), "{radius}: {text}");
         }
         assert!(outline(&desk).is_some_and(|outline| outline.0 == 16.0), "{radius} changes nothing");
     }
     for (click, radius) in [([BALL, 0.0], 3.0), (BESIDE, 80.0)] {
-        desk.follow_in_film(ball(click)).unwrap();
-        desk.set_radius(0, Some(radius)).unwrap();
+        desk.work_on_film(|films, play| films.follow(play, ball(click))).unwrap();
+        desk.work_on_film(|films, play| films.set_radius(play, 0, Some(radius))).unwrap();
         track(&mut desk, &picture);
-        let tracks = desk.film().unwrap().tracks();
+        let tracks = desk.films().current().unwrap().tracks();
         assert_eq!(tracks[0].outline.map(|outline| outline.radius), Some(radius), "no other radius is used");
     }
     // Inside the ball nothing is seen within so few pixels.
-    desk.set_radius(0, Some(3.0)).unwrap();
-    desk.begin_tracking().unwrap();
-    let refusal = desk.give_frame(0, picture(0)).unwrap_err();
-    let text = desk.refusal_text(&refusal);
+    desk.work_on_film(|films, play| films.set_radius(play, 0, Some(3.0))).unwrap();
+    desk.change_films(|films, play| films.begin_tracking(play)).unwrap();
+    let refusal = desk.change_films(|films, play| films.give_frame(play, 0, picture(0))).unwrap_err();
+    let text = refusal.text(desk.play());
     assert!(text.contains("radio de 3 px") && text.contains("radio mayor"), "{text}");
-    assert!(desk.set_radius(1, Some(16.0)).is_err(), "there is no second body");
-    desk.follow_in_film(super::surface()).unwrap();
-    assert!(desk.set_radius(0, Some(16.0)).is_err(), "a surface has no radius");
-    desk.close_film();
-    assert!(desk.set_radius(0, Some(16.0)).is_err());
+    assert!(desk.work_on_film(|films, play| films.set_radius(play, 1, Some(16.0))).is_err(), "there is no second body");
+    desk.work_on_film(|films, play| films.follow(play, super::surface())).unwrap();
+    assert!(desk.work_on_film(|films, play| films.set_radius(play, 0, Some(16.0))).is_err(), "a surface has no radius");
+    desk.change_films(|films, _| films.close());
+    assert!(desk.work_on_film(|films, play| films.set_radius(play, 0, Some(16.0))).is_err());
 }
 
 /// At the next visit the circle is there before the film is tracked again, whether it was set or found.
@@ -125,23 +125,23 @@ fn a_radius_that_cannot_be_followed_is_refused() {
 fn the_outline_is_there_at_the_next_visit() {
     for radius in [None, Some(16.0)] {
         let mut desk = clicked();
-        desk.set_radius(0, radius).unwrap();
+        desk.work_on_film(|films, play| films.set_radius(play, 0, radius)).unwrap();
         track(&mut desk, &picture);
-        let text = desk.saved_films()[0].1.write(7);
+        let text = desk.films().saved()[0].1.write(7);
         let visit = |text: &str| {
             let mut next = laboratory();
-            next.restore_film(&Item::read(text).unwrap().1).unwrap();
-            next.open_film(identity("ball.mp4"), container(FRAMES)).unwrap();
+            next.restore_item(&Item::read(text).unwrap().1).unwrap();
+            next.change_films(|films, play| films.open(play, identity("ball.mp4"), container(FRAMES))).unwrap();
             next
         };
         let next = visit(&text);
         assert!(outline(&next).is_some());
-        assert_eq!(next.film().unwrap().body_outline(0), desk.film().unwrap().body_outline(0));
+        assert_eq!(next.films().current().unwrap().body_outline(0), desk.films().current().unwrap().body_outline(0));
         // Stored text is not trusted.
         let Some(radius) = radius else { continue };
         let own = format!("\"radius\":{radius:?}");
         assert!(text.contains(&own), "{text}");
         let broken = visit(&text.replace(&own, "\"radius\":1e9"));
-        assert!(broken.film().unwrap().subject().is_nothing());
+        assert!(broken.films().current().unwrap().subject().is_nothing());
     }
 }

@@ -9,12 +9,12 @@ use play::PlotId;
 #[test]
 fn the_report_of_a_fit_shows_the_film() {
     let mut desk = tracked();
-    (0..4).chain([5]).for_each(|choice| desk.vary(choice, true));
-    desk.begin_fit("column.md").unwrap();
+    (0..4).chain([5]).for_each(|choice| desk.change_fits(|fits, data| fits.vary(data.play(), choice, true)));
+    desk.change_fits(|fits, data| fits.begin(data, "column.md")).unwrap();
     while desk.advance_fit() {}
-    let fit = desk.fits()[0].id;
+    let fit = desk.fits().list()[0].id;
     let report = |desk: &Desk| {
-        let export = desk.export_fit(fit, ExportKind::Report, Imprint::default()).unwrap();
+        let export = desk.fits().export(fit, ExportKind::Report, Imprint::default()).unwrap();
         String::from_utf8(export.bytes).unwrap()
     };
     let page = report(&desk);
@@ -44,7 +44,7 @@ fn the_report_of_a_fit_shows_the_film() {
     assert_eq!((tracked.len(), fitted.len()), (75, 75));
     assert!(tracked.iter().zip(&fitted).all(|(one, other)| one[0] == other[0] && (one[1] - other[1]).abs() < 1.5));
     // After the film is closed, the text about it remains.
-    desk.close_film();
+    desk.change_films(|films, _| films.close());
     let page = report(&desk);
     assert!(page.contains("The film swing.mp4") && !page.contains("data:image/png"));
 }
@@ -52,24 +52,24 @@ fn the_report_of_a_fit_shows_the_film() {
 #[test]
 fn a_record_of_a_film_is_saved_with_its_errors_and_scale() {
     let desk = tracked();
-    let id = desk.records()[0].id;
-    let csv = desk.export_record(id, ExportKind::Csv).unwrap();
+    let id = desk.records().list()[0].id;
+    let csv = desk::export_record(&desk, id, ExportKind::Csv).unwrap();
     assert_eq!(csv.name, "swing.csv");
     let text = String::from_utf8(csv.bytes).unwrap();
     let mut lines = text.lines();
     assert!(lines.next().unwrap().starts_with("# relative standard error of the scale: 0.00707"), "{text}");
     assert_eq!(lines.next().unwrap(), "t [s],y [m],sigma_y [m]");
     assert_eq!(lines.count(), 75);
-    let workbook = desk.export_record(id, ExportKind::Workbook).unwrap();
+    let workbook = desk::export_record(&desk, id, ExportKind::Workbook).unwrap();
     // Both files are read back as the same record, including the error of the scale.
     for (name, bytes) in [("again.csv", text.into_bytes()), (workbook.name.as_str(), workbook.bytes)] {
         let mut again = laboratory();
         again.add_record(name, &bytes).unwrap();
         assert_eq!(columns(&again), columns(&desk), "{name}");
-        let findings = again.records()[0].findings.clone();
+        let findings = again.records().list()[0].findings.clone();
         assert!(findings.iter().any(|one| one.contains("the film's scale, 0.71 %")), "{name}: {findings:?}");
     }
-    assert_eq!(desk.export_record(99, ExportKind::Csv), None);
+    assert_eq!(desk::export_record(&desk, 99, ExportKind::Csv), None);
 }
 
 #[test]
@@ -87,10 +87,10 @@ fn errors_are_drawn_and_a_fit_says_where_some_are_missing() {
         figure.items().filter(|item| matches!(item, Item::Line(_, _, stroke) if matches!(stroke.ink, Ink::Ghost(_))));
     // A line and two caps for each value that has an error.
     assert_eq!(bars.count(), 3 * 57);
-    desk.vary(0, true);
-    desk.begin_fit("column.md").unwrap();
+    desk.change_fits(|fits, data| fits.vary(data.play(), 0, true));
+    desk.change_fits(|fits, data| fits.begin(data, "column.md")).unwrap();
     while desk.advance_fit() {}
-    let sentences = desk.fit_detail(desk.fits()[0].id).unwrap().sentences;
+    let sentences = desk.fits().detail(desk.fits().list()[0].id).unwrap().sentences;
     let said = "swing.csv: 3 of 60 values of y have no standard error beside them";
     assert!(sentences.iter().any(|one| one.starts_with(said)), "{sentences:?}");
 }

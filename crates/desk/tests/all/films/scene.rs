@@ -84,12 +84,12 @@ pub fn picture(time: f64, seed: u64) -> Plane {
 
 /// Opens a film and tracks the surface until the record exists. Returns the number of frames that were requested.
 pub fn track(desk: &mut Desk, picture: &dyn Fn(usize) -> Plane) -> usize {
-    desk.begin_tracking().unwrap();
+    desk.change_films(|films, play| films.begin_tracking(play)).unwrap();
     let mut asked = 0;
     loop {
-        while let Some(frame) = desk.wanted_frame() {
+        while let Some(frame) = desk.films().wanted_frame() {
             asked += 1;
-            desk.give_frame(frame, picture(frame)).unwrap();
+            desk.change_films(|films, play| films.give_frame(play, frame, picture(frame))).unwrap();
         }
         if desk.advance_tracking(10).unwrap() {
             return asked;

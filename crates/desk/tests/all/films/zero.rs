@@ -16,35 +16,35 @@ fn level() -> String {
 
 /// True for each of the two zeros that is varied.
 fn zeros(desk: &Desk) -> Vec<bool> {
-    desk.fit_choices().into_iter().filter(|choice| choice.name.is_empty()).map(|choice| choice.varied).collect()
+    desk.fits().choices().into_iter().filter(|choice| choice.name.is_empty()).map(|choice| choice.varied).collect()
 }
 
 #[test]
 fn the_zero_of_a_film_is_varied_unless_somebody_or_the_theory_says_otherwise() {
     let mut desk = tracked();
     assert_eq!(zeros(&desk), [false, true]);
-    desk.vary(5, false);
+    desk.change_fits(|fits, data| fits.vary(data.play(), 5, false));
     assert_eq!(zeros(&desk), [false, false]);
     // Without an origin heights count from the lower edge of the picture.
     let mut desk = tracked();
-    desk.calibrate_film(CalibrationForm { origin: None, ..ruler() }, None).unwrap();
-    (0..4).for_each(|choice| desk.vary(choice, true));
-    desk.begin_fit("column.md").unwrap();
+    desk.work_on_film(|films, play| films.calibrate(play, CalibrationForm { origin: None, ..ruler() }, None)).unwrap();
+    (0..4).for_each(|choice| desk.change_fits(|fits, data| fits.vary(data.play(), choice, true)));
+    desk.change_fits(|fits, data| fits.begin(data, "column.md")).unwrap();
     while desk.advance_fit() {}
-    let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
+    let detail = desk.fits().detail(desk.fits().list()[0].id).unwrap();
     let omega = desk.play().course().parameters()[0];
     assert!((omega - (OMEGA * OMEGA + DECAY * DECAY).sqrt()).abs() < 0.01, "{omega} {:?}", detail.sentences);
     // A parameter that shifts the whole curve replaces the zero: `c`, or the start of a fall.
     let fall = THEORY.replace("y'' + 2*beta*y' + omega^2*y = 0", "y'' + beta*y' = -9.8 [m/s^2]");
     for (theory, own) in [(fall, "y_0"), (level(), "c")] {
         let mut desk = open(&theory, &[]);
-        desk.open_film(identity("swing.mp4"), container(75)).unwrap();
-        desk.follow_in_film(surface()).unwrap();
+        desk.change_films(|films, play| films.open(play, identity("swing.mp4"), container(75))).unwrap();
+        desk.work_on_film(|films, play| films.follow(play, surface())).unwrap();
         track(&mut desk, &frame);
-        desk.calibrate_film(ruler(), None).unwrap();
+        desk.work_on_film(|films, play| films.calibrate(play, ruler(), None)).unwrap();
         assert_eq!(zeros(&desk), [false, true], "{own}");
-        let place = desk.fit_choices().iter().find(|choice| choice.name == own).unwrap().index;
-        desk.vary(place, true);
+        let place = desk.fits().choices().iter().find(|choice| choice.name == own).unwrap().index;
+        desk.change_fits(|fits, data| fits.vary(data.play(), place, true));
         assert_eq!(zeros(&desk), [false, false], "{own}");
     }
 }
@@ -58,15 +58,16 @@ fn a_ranking_varies_the_zero_of_a_film_where_a_theory_has_none() {
     let theories = theories.map(|text| ("t.md".to_owned(), document::open(&text, &[]).document.unwrap()));
     for (zero_is_known, expected) in [(false, [1, 0]), (true, [0, 0])] {
         let mut desk = tracked();
-        desk.calibrate_film(CalibrationForm { origin: None, ..ruler() }, None).unwrap();
+        desk.work_on_film(|films, play| films.calibrate(play, CalibrationForm { origin: None, ..ruler() }, None))
+            .unwrap();
         if zero_is_known {
-            desk.vary(5, false);
+            desk.change_fits(|fits, data| fits.vary(data.play(), 5, false));
         }
-        desk.begin_ranking(theories.to_vec()).unwrap();
+        desk.change_fits(|fits, data| fits.begin_ranking(data, theories.to_vec())).unwrap();
         while desk.advance_fit() {}
-        let fits = desk.fits();
+        let fits = desk.fits().list();
         let zeros = |own: bool| -> usize {
-            let of = fits.iter().map(|fit| desk.fit_detail(fit.id).unwrap().estimates);
+            let of = fits.iter().map(|fit| desk.fits().detail(fit.id).unwrap().estimates);
             let mut of = of.filter(|estimates| estimates.iter().any(|one| one.name == "c") == own);
             of.next().unwrap().iter().filter(|one| one.name == "y_offset").count()
         };

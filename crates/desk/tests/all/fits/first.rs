@@ -10,9 +10,9 @@ fn opened(file: &str) -> Desk {
 /// Fits the open document as the button does. Asserts that the result is not in doubt and all numbers are determined, and
 /// returns the remarks on the numbers by name.
 fn pressed(desk: &mut Desk) -> Vec<(String, String)> {
-    desk.begin_fit("document.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "document.md")).unwrap();
     while desk.advance_fit() {}
-    let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
+    let detail = desk.fits().detail(desk.fits().list()[0].id).unwrap();
     assert_eq!(detail.doubt, None, "{detail:#?}");
     let remarks: Vec<_> = detail.estimates.into_iter().map(|one| (one.name, one.remark)).collect();
     for (name, remark) in &remarks {
@@ -23,30 +23,34 @@ fn pressed(desk: &mut Desk) -> Vec<(String, String)> {
 
 /// Reason why the open document cannot hold the chosen record.
 fn cannot_hold(desk: &Desk) -> Option<String> {
-    let mut comparison = desk.compare_periods(desk.period_question()?)?;
+    let mut comparison = desk.fits().compare_periods(desk.fits().period_question(desk.revision())?)?;
     while !comparison.advance() {
-        assert_eq!(desk.cannot_hold(&comparison), None, "before the end");
+        assert_eq!(desk.fits().cannot_hold(&comparison), None, "before the end");
     }
-    desk.cannot_hold(&comparison)
+    desk.fits().cannot_hold(&comparison)
 }
 
 #[test]
 fn a_comparison_of_periods_belongs_to_its_question() {
     let mut desk = opened("../utube.md");
-    assert_eq!(desk.period_question(), None, "without a record");
+    assert_eq!(desk.fits().period_question(desk.revision()), None, "without a record");
     let id = desk.add_record("film.txt", film(0.24, 0.4, 1).as_bytes()).unwrap();
-    let question = desk.period_question().unwrap();
-    let mut comparison = desk.compare_periods(question.clone()).unwrap();
-    desk.begin_fit("utube.md").unwrap();
-    assert_eq!(desk.period_question().as_ref(), Some(&question), "a fit that runs changes nothing");
+    let question = desk.fits().period_question(desk.revision()).unwrap();
+    let mut comparison = desk.fits().compare_periods(question.clone()).unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "utube.md")).unwrap();
+    assert_eq!(
+        desk.fits().period_question(desk.revision()).as_ref(),
+        Some(&question),
+        "a fit that runs changes nothing"
+    );
     desk.play_mut().set_parameter_text(0, "9.7").unwrap();
-    assert_ne!(desk.period_question().as_ref(), Some(comparison.question()), "other values");
+    assert_ne!(desk.fits().period_question(desk.revision()).as_ref(), Some(comparison.question()), "other values");
     // It answers its own question even if the record is gone.
-    desk.remove_record(id);
-    assert_eq!(desk.period_question(), None);
+    desk.change_records(|records, _| records.remove(id));
+    assert_eq!(desk.fits().period_question(desk.revision()), None);
     while !comparison.advance() {}
-    assert!(desk.cannot_hold(&comparison).is_some());
-    assert!(desk.compare_periods(question).is_none(), "the record is gone");
+    assert!(desk.fits().cannot_hold(&comparison).is_some());
+    assert!(desk.fits().compare_periods(question).is_none(), "the record is gone");
 }
 
 #[test]
@@ -54,7 +58,7 @@ fn the_opening_document_fits_every_sample_and_finds_the_truth() {
     for sample in 0..4 {
         let mut desk = opened("../tube.md");
         let generator = if sample == 3 { "linear-contact-line" } else { "linear" };
-        desk.add_sample(sample, theory(generator)).unwrap();
+        desk.change_records(|records, open| records.add_sample(open, sample, theory(generator))).unwrap();
         assert_eq!(cannot_hold(&desk), None, "sample {sample}");
         let remarks = pressed(&mut desk);
         // Linear damping is too simple for the last one.
@@ -95,7 +99,7 @@ fn a_document_that_cannot_hold_a_record_says_so() {
     desk.set_language("es");
     assert!(cannot_hold(&desk).unwrap().ends_with("el registro tiene uno de 0,696 s. Elige una teoría."));
     let mut desk = opened("../utube.md");
-    desk.add_sample(0, theory("linear")).unwrap();
+    desk.change_records(|records, open| records.add_sample(open, 0, theory("linear"))).unwrap();
     assert!(cannot_hold(&desk).is_some(), "the shortest sample");
     // Its own size of column.
     let mut desk = opened("../utube.md");

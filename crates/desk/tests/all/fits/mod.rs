@@ -22,7 +22,7 @@ fn theory_text(file: &str) -> String {
 }
 
 fn place(desk: &Desk, name: &str) -> usize {
-    desk.fit_choices().iter().find(|choice| choice.name == name).expect(name).index
+    desk.fits().choices().iter().find(|choice| choice.name == name).expect(name).index
 }
 
 /// A film of a column that is released at 4 cm: 30 frames per second, with reproducible noise.
@@ -52,14 +52,14 @@ fn three() -> Desk {
 }
 
 fn together(desk: &mut Desk) {
-    desk.fit_records().iter().for_each(|record| desk.fit_with(record.id, true));
+    desk.fits().records().iter().for_each(|record| desk.change_fits(|fits, _| fits.include(record.id, true)));
 }
 
 fn fit(desk: &mut Desk) -> FitDetail {
-    desk.begin_fit("theories/linear.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
     while desk.advance_fit() {}
-    let last = desk.fits().iter().map(|fit| fit.id).max().unwrap();
-    desk.fit_detail(last).unwrap()
+    let last = desk.fits().list().iter().map(|fit| fit.id).max().unwrap();
+    desk.fits().detail(last).unwrap()
 }
 
 /// A single 9999 for a missing measurement dominates a fit of least squares.
@@ -81,14 +81,14 @@ fn a_fit_that_misses_the_record_is_in_doubt() {
     let mut desk = Desk::open(document::open(&theory_text("../utube.md"), &[]).document.unwrap());
     desk.add_record("film.txt", film(0.24, DAMPING, 1).as_bytes()).unwrap();
     let before = desk.play().course().parameters().to_vec();
-    desk.begin_fit("utube.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "utube.md")).unwrap();
     while desk.advance_fit() {}
     assert_eq!(desk.play().course().parameters(), before);
-    let detail = desk.fit_detail(desk.fits()[0].id).unwrap();
+    let detail = desk.fits().detail(desk.fits().list()[0].id).unwrap();
     assert!(detail.sentences[0].starts_with("The curve explains less than half of the variance"), "{detail:?}");
     assert_eq!(detail.doubt.unwrap(), "The model does not describe these data.");
     let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
-    let why = desk.announcement_text(&said);
+    let why = said.text(desk.play());
     assert!(why.contains("The model does not describe these data."), "{why}");
 }
 
@@ -105,9 +105,9 @@ fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
         let length = |desk: &Desk| desk.play().course().parameters()[place(desk, "L")];
         assert_eq!(length(&desk) == 0.2, doubtful);
         let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
-        let why = desk.announcement_text(&said);
+        let why = said.text(desk.play());
         assert_eq!(why.contains("The search has stopped at an end of the range: γ."), doubtful, "{why}");
-        desk.apply_fit(desk.fits()[0].id);
+        desk.apply_fit(desk.fits().list()[0].id);
         assert_ne!(length(&desk), 0.2);
     }
 }
@@ -123,14 +123,14 @@ fn the_part_in_a_plot_is_that_of_the_record_wherever_its_clock_begins() {
         };
         let record: String = film(0.24, DAMPING, 1).lines().map(shifted).collect();
         desk.add_record("tube.txt", record.as_bytes()).unwrap();
-        assert!(!desk.has_part_in_plot());
+        assert!(!desk.fits().has_part_in_plot());
         let plot = PlotId::at(0);
         desk.follow();
         desk.play_mut().layout_plot(plot, &Settings::default());
         desk.play_mut().change_plots(|plots| plots.zoom(plot, None, 2.0, Direction::Horizontal));
         let part = desk.play().plots().zoomed_part().unwrap();
-        desk.take_part_in_plot();
-        let [from, until] = desk.fitted_part().map(Option::unwrap);
+        desk.change_fits(|fits, data| fits.take_part_in_plot(data));
+        let [from, until] = desk.fits().fitted_part().map(Option::unwrap);
         assert!(
             (from - part.low - begin).abs() < 1e-9 && (until - part.high - begin).abs() < 1e-9,
             "{begin}: {from} {until}"
@@ -138,6 +138,6 @@ fn the_part_in_a_plot_is_that_of_the_record_wherever_its_clock_begins() {
         // With two records whose clocks begin at different readings there is no such part.
         desk.add_record("other.txt", film(0.24, DAMPING, 2).as_bytes()).unwrap();
         together(&mut desk);
-        assert_eq!(desk.has_part_in_plot(), begin == 0.0, "{begin}");
+        assert_eq!(desk.fits().has_part_in_plot(), begin == 0.0, "{begin}");
     }
 }

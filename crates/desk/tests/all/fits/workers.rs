@@ -61,7 +61,7 @@ fn ranked() -> Desk {
     desk.add_record("tube.txt", film(0.2, 0.4, 7).as_bytes()).unwrap();
     let theories =
         ["quadratic", "linear", "cosine", "linear-quadratic"].map(|name| (format!("theories/{name}.md"), theory(name)));
-    desk.begin_ranking(theories.to_vec()).unwrap();
+    desk.change_fits(|fits, data| fits.begin_ranking(data, theories.to_vec())).unwrap();
     desk
 }
 
@@ -78,14 +78,14 @@ fn workers_find_what_is_found_here() {
     for is_lost in [false, true] {
         let mut desk = ranked();
         let mut workers = Elsewhere { is_lost, ..Elsewhere::default() };
-        assert_eq!(desk.fit_progress().unwrap().finished, (0, 4));
+        assert_eq!(desk.fits().progress().unwrap().finished, (0, 4));
         while desk.advance_fits(&mut workers) {}
         assert_eq!((workers.most, workers.ended), (3, 0));
-        assert_eq!(desk.fits(), here.fits());
-        assert_eq!(desk.facts(), here.facts(), "equal bits");
+        assert_eq!(desk.fits().list(), here.fits().list());
+        assert_eq!(desk::facts(&desk), desk::facts(&here), "equal bits");
         assert_eq!(announced(&mut desk), told);
-        for fit in desk.fits() {
-            assert_eq!(desk.fit_detail(fit.id), here.fit_detail(fit.id));
+        for fit in desk.fits().list() {
+            assert_eq!(desk.fits().detail(fit.id), here.fits().detail(fit.id));
         }
     }
 }
@@ -96,33 +96,33 @@ fn what_is_not_wanted_any_more_is_ended() {
     let mut desk = ranked();
     assert!(desk.advance_fits(&mut workers));
     let given = workers.given.len();
-    desk.cancel_fit();
+    desk.change_fits(|fits, _| fits.cancel());
     assert!(!desk.advance_fits(&mut workers));
     assert_eq!((workers.given.len(), workers.ended), (0, given));
-    assert_eq!(desk.fits(), []);
+    assert_eq!(desk.fits().list(), []);
     // Another document takes the records over; a fit of the one before ends.
-    desk.begin_fit("theories/linear.md").unwrap();
+    desk.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
     assert!(desk.advance_fits(&mut Idle(1)));
     let mut other = Desk::open(theory("cosine"));
-    other.adopt_records(&mut desk);
+    other.adopt(&mut desk);
     assert!(!other.advance_fits(&mut workers));
-    assert_eq!(other.fits(), []);
+    assert_eq!(other.fits().list(), []);
 }
 
 #[test]
 fn a_new_fit_comes_before_what_is_made_again() {
     let mut desk = three();
     fit(&mut desk);
-    let (records, fits) = (desk.saved_records(), desk.saved_fits());
+    let (records, fits) = (desk.records().saved(), desk.fits().saved());
     let mut later = Desk::open(theory("linear"));
     crate::support::bring_back_records(&mut later, &records);
     crate::support::bring_back_fits(&mut later, &fits);
     assert!(later.advance_fits(&mut Idle(1)));
     later.choose_record(0);
-    later.begin_fit("theories/linear.md").unwrap();
-    assert!(later.fit_progress().is_some());
+    later.change_fits(|fits, data| fits.begin(data, "theories/linear.md")).unwrap();
+    assert!(later.fits().progress().is_some());
     while later.advance_fit() {}
-    let names: Vec<_> = later.fits().into_iter().map(|fit| fit.records[0].clone()).collect();
+    let names: Vec<_> = later.fits().list().into_iter().map(|fit| fit.records[0].clone()).collect();
     assert_eq!(names, ["tube 1.txt", "tube 3.txt"]);
 }
 

@@ -44,14 +44,14 @@ pub fn play(desk: &mut Desk, frames: impl IntoIterator<Item = f64>) {
 /// Restores records as at the next visit.
 pub fn bring_back_records(desk: &mut Desk, saved: &[(String, Item)]) {
     for (_, item) in saved {
-        assert!(desk.restore_record(&stored(item)).is_some());
+        assert!(desk.restore_item(&stored(item)).is_some());
     }
 }
 
 /// Restores fits as at the next visit. Their records must be there.
 pub fn bring_back_fits(desk: &mut Desk, saved: &[(String, Item)]) {
     for (_, item) in saved {
-        assert!(desk.restore_fit(&stored(item)).is_some());
+        assert!(desk.restore_item(&stored(item)).is_some());
     }
 }
 
@@ -65,7 +65,7 @@ fn stored(item: &Item) -> Item {
 /// Restores the records and fits of stored texts. Returns the number of restored items.
 pub fn bring_back_texts(desk: &mut Desk, texts: &[&str]) -> usize {
     let items = texts.iter().filter_map(|text| Item::read(text));
-    items.filter_map(|(_, item)| desk.restore_record(&item).or_else(|| desk.restore_fit(&item))).count()
+    items.filter_map(|(_, item)| desk.restore_item(&item)).count()
 }
 
 /// The states shown.

@@ -48,7 +48,7 @@ fn factor(app: App) -> View {
     });
     let take = move |event| {
         let typed = value_of(&event);
-        refuse(app, app.attempt_on_desk(|desk| desk.set_film_factor(&typed)));
+        refuse(app, app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_factor(play, &typed))));
     };
     let field =
         short_field("film-factor".to_owned()).attr("placeholder", "1").prop("value", now).when(events::change, take);
@@ -69,7 +69,7 @@ fn part(app: App) -> View {
             if let Some(place) = part.get_mut(end) {
                 *place = seconds;
             }
-            let refusal = app.attempt_on_desk(|desk| desk.set_film_part(part));
+            let refusal = app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_part(play, part)));
             refuse(app, refusal);
         };
         let take = move |event| set(value_of(&event).trim().replace(',', ".").parse().ok());

@@ -31,7 +31,7 @@ fn field(app: App, body: usize) -> View {
         memo(move || app.films.now.with(|now| now.as_ref().and_then(|now| now.outlines.get(body).copied().flatten())));
     let shown = memo(move || outline.get().map(|outline| plain(outline.radius, 4, style)).unwrap_or_default());
     let set = move |radius: Option<f64>| {
-        let refusal = app.attempt_on_desk(|desk| desk.set_radius(body, radius));
+        let refusal = app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_radius(play, body, radius)));
         let is_taken = refusal.is_none();
         refused.set(refusal);
         if is_taken {

@@ -40,7 +40,7 @@ fn progress(app: App) -> View {
         })
     };
     let cancel = move |_| {
-        app.act_on_desk(|desk| desk.cancel_tracking());
+        app.act_on_desk(|desk| desk.change_films(|films, _| films.cancel_tracking()));
         browser::focus("film-frame");
     };
     div()

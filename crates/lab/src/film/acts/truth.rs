@@ -13,7 +13,7 @@ pub fn view(app: App) -> View {
     let filmed = memo(move || app.films.now.with(|now| now.as_ref().is_some_and(|now| now.filmed)));
     let asked = memo(move || app.films.truth.with(|truth| !truth.is_empty()));
     let compare = move |_| {
-        app.films.truth.set(app.read_desk(|desk| desk.compare_with_truth()));
+        app.films.truth.set(app.read_desk(|desk| desk.films().compare_with_truth()));
         view::browser::focus_later("film-truth".to_owned());
     };
     changing(move || match (filmed.get(), asked.get()) {

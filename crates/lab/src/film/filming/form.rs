@@ -14,7 +14,7 @@ use view::{browser, pieces::icons};
 pub fn button(app: App) -> View {
     let words = words::of(app);
     let open = move |_| {
-        let refusal = app.read_desk(|desk| desk.usual_camera().err().map(|why| desk.refusal_text(&why)));
+        let refusal = app.read_desk(|desk| desk.films().usual_camera().err().map(|why| why.text(desk.play())));
         match refusal {
             Some(why) => app.complain(why),
             None => {
@@ -35,7 +35,7 @@ pub fn button(app: App) -> View {
         .child(span().child(words.film_simulation));
     let kept = memo(move || {
         app.films.now.track();
-        app.read_desk(|desk| desk.film_recipes())
+        app.read_desk(|desk| desk.films().recipes())
     });
     let again = move |(number, recipe): (usize, FilmRecipe)| {
         let id = format!("film-again-{number}");
@@ -70,7 +70,7 @@ pub fn view(app: App) -> View {
 fn form(app: App) -> View {
     let words = words::of(app);
     let style = app.language.get_untracked().style();
-    let Some(usual) = app.read_desk(|desk| desk.usual_camera().ok()) else { return View::new() };
+    let Some(usual) = app.read_desk(|desk| desk.films().usual_camera().ok()) else { return View::new() };
     let typed = |value: f64| create_signal(plain(value, 4, style));
     let (seconds, rate, exposure) = (typed(usual.seconds), typed(usual.rate), typed(1e3 * usual.exposure));
     let (noise, seed) = (typed(usual.noise), typed(f64::from(usual.seed)));
@@ -100,7 +100,7 @@ fn form(app: App) -> View {
         };
         let recipe = app.with(|lab| {
             let desk = lab.desk.as_ref()?;
-            Some(desk.film_recipe(settings).map_err(|why| desk.refusal_text(&why)))
+            Some(desk.films().recipe(settings).map_err(|why| why.text(desk.play())))
         });
         match recipe.flatten() {
             Some(Ok(recipe)) => {

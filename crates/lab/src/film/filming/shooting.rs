@@ -53,7 +53,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
     browser::breathe().await;
     let play = app.with(|lab| {
         let desk = lab.desk.as_ref()?;
-        Some(desk.filmed_play(recipe).map_err(|why| desk.refusal_text(&why)))
+        Some(desk.films().filmed_play(recipe).map_err(|why| why.text(desk.play())))
     });
     let mut play = play.flatten().unwrap_or_else(|| Err(words.no_document.to_owned()))?;
     browser::breathe().await;

@@ -3,32 +3,31 @@
 use saved::format::{self, Content};
 use saved::{Item, Number};
 
-use crate::Desk;
 use crate::records::recognise::Meaning;
 use crate::records::record::{LONGEST_SAVED, Origin, Record, Use};
+use crate::records::{Records, ShownRecords};
+use crate::{Changes, OpenDocument};
 use analysis::derivative::Differentiation;
 use play::name_of;
 use units::Unit;
 
-impl Desk {
+impl ShownRecords<'_> {
     /// The records to store, each with a name that is the same at every visit and on every page. Records that are too
     /// long are left out.
-    pub fn saved_records(&self) -> Vec<(String, Item)> {
-        let document = self.document_name();
+    pub fn saved(self) -> Vec<(String, Item)> {
+        let document = self.open.name();
         let item = |record| Item(Content::Record(saved(record, &document)));
-        self.record_names().into_iter().filter_map(|(id, name)| Some((name, item(self.record(id)?)))).collect()
+        let names = self.records.names().into_iter();
+        names.filter_map(|(id, name)| Some((name, item(self.records.get(id)?)))).collect()
     }
+}
 
-    /// Hash of the document's text. Results of a fit for a record are valid only with this document.
-    pub(super) fn document_name(&self) -> String {
-        name_of(&[&self.document.source])
-    }
-
+impl Records {
     /// Ids and storage names of the records that are stored. Names are hashes of the content, with a number added for
     /// equal records.
-    pub(crate) fn record_names(&self) -> Vec<(u32, String)> {
+    pub(crate) fn names(&self) -> Vec<(u32, String)> {
         let mut names: Vec<(u32, String)> = Vec::new();
-        for record in self.data.records.iter().filter(|record| self.is_lasting(record.id)) {
+        for record in self.list.iter().filter(|record| self.is_lasting(record.id)) {
             let truth: Vec<String> =
                 record.truth.iter().flatten().map(|(name, value)| format!("{name}={value:e}")).collect();
             let truth = truth.join(";");
@@ -45,9 +44,9 @@ impl Desk {
     }
 
     /// True if a record is stored for the next visit, given the length of the records before it.
-    pub(crate) fn is_lasting(&self, id: u32) -> bool {
+    pub(super) fn is_lasting(&self, id: u32) -> bool {
         let mut sum = 0;
-        for record in &self.data.records {
+        for record in &self.list {
             let fits = !record.text.is_empty() && sum + record.text.len() <= LONGEST_SAVED;
             if record.id == id {
                 return fits;
@@ -57,27 +56,26 @@ impl Desk {
         false
     }
 
-    /// Restores a record and returns its name in the storage. `None` if the item is not a record, cannot be read, or is
-    /// too long to be stored.
-    pub fn restore_record(&mut self, item: &Item) -> Option<String> {
-        let Content::Record(saved) = &item.0 else { return None };
+    /// Restores a record and returns its name in the storage; `None` if it cannot be read or is too long to be stored.
+    pub(crate) fn restore(&mut self, open: OpenDocument<'_>, saved: &format::Record) -> (Option<String>, Changes) {
         let truth = saved.truth.as_deref().map(read_values);
-        let id = self.insert_record(&saved.name, saved.text.as_bytes(), truth).ok();
-        if let Some(id) = id.filter(|_| !saved.against.is_empty()) {
-            self.set_record_variable(id, &saved.against);
+        let inserted = self.insert(open, &saved.name, saved.text.as_bytes(), truth);
+        let Ok((id, mut changes)) = inserted else { return (None, Changes::NONE) };
+        if !saved.against.is_empty() {
+            changes = changes | self.set_variable(open, id, &saved.against);
         }
-        if let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id) {
+        if let Some(record) = self.get_mut(id) {
             record.shown = !saved.hidden;
             let derivatives = saved.derivatives.iter();
             record.restore_made(
                 derivatives.filter_map(|one| Some((one.column, Differentiation::from_code(&one.method)?))),
-                &self.document,
+                open.document,
             );
             record.known = read_values(&saved.known).into_iter().collect();
             take_uses(&mut record.uses, &saved.columns);
         }
-        if let Some(found) = saved.found.as_ref().filter(|found| found.document == self.document_name())
-            && let Some(record) = self.data.records.iter_mut().find(|record| Some(record.id) == id)
+        if let Some(found) = saved.found.as_ref().filter(|found| found.document == open.name())
+            && let Some(record) = self.get_mut(id)
         {
             let reading = found.origin.map(|Number(reading)| reading).filter(|reading| reading.is_finite());
             record.origin = reading.map(|reading| Origin { reading, found: found.origin_fitted });
@@ -87,9 +85,7 @@ impl Desk {
                 }
             }
         }
-        self.records_changed();
-        self.forget_announcements();
-        self.record_names().into_iter().find(|(own, _)| Some(*own) == id).map(|(_, name)| name)
+        (self.names().into_iter().find(|(own, _)| *own == id).map(|(_, name)| name), changes)
     }
 }
 
@@ -118,7 +114,7 @@ fn saved(record: &Record, document: &str) -> format::Record {
 }
 
 /// Name with line breaks replaced by spaces.
-pub(super) fn line(name: &str) -> String {
+pub(crate) fn line(name: &str) -> String {
     name.replace(['\n', '\r'], " ")
 }
 
@@ -131,7 +127,7 @@ fn read_values(saved: &[(String, Number)]) -> Vec<(String, f64)> {
 }
 
 /// Stored form of the uses of columns.
-pub(super) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> Vec<format::Column> {
+pub(crate) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> Vec<format::Column> {
     let column = |(column, used): (usize, &Use)| format::Column {
         column,
         quantity: used.meaning.quantity.clone(),
@@ -143,7 +139,7 @@ pub(super) fn write_uses<'a>(uses: impl Iterator<Item = (usize, &'a Use)>) -> Ve
 }
 
 /// Applies stored uses to columns. Columns with an unknown unit are skipped. Returns true if all columns exist.
-pub(super) fn take_uses(uses: &mut [Use], saved: &[format::Column]) -> bool {
+pub(crate) fn take_uses(uses: &mut [Use], saved: &[format::Column]) -> bool {
     let mut all = true;
     for format::Column { column, quantity, unit, stated, fitted } in saved {
         let Ok(unit) = Unit::parse(unit) else { continue };

@@ -4,20 +4,21 @@
 use saved::format::{self, Content};
 use saved::{Item, Number};
 
-use super::records::{line, take_uses, write_uses};
-use crate::Desk;
+use crate::Changes;
 use crate::fits::fit::{Definition, Fitted, Found, Part, StatedError, Waiting, texts};
+use crate::fits::{FitData, Fits, ShownFits};
+use crate::records::{Records, line, take_uses, write_uses};
 use analysis::fit::{Loss, Rival, Target, Varied};
 use play::name_of;
 
 /// Maximum length of all stored fits together, in bytes. The records need room too.
 const LONGEST: usize = 1 << 20;
 
-impl Desk {
+impl ShownFits<'_> {
     /// The fits to store, each with a name that is the same at every visit and on every page. Fits of records that are
     /// not stored are left out, and those that exceed the maximum length.
-    pub fn saved_fits(&self) -> Vec<(String, Item)> {
-        let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
+    pub fn saved(self) -> Vec<(String, Item)> {
+        let mut saved = SavedFits { records: self.records.names(), fits: Vec::new(), length: 0 };
         saved.add_finished(self.fits.finished.iter());
         for job in self.being_remade() {
             if let Some(found) = &job.found {
@@ -30,62 +31,65 @@ impl Desk {
         saved.fits
     }
 
-    /// Finished fits in the form of [`Desk::saved_fits`].
-    pub(super) fn fits_to_save<'a>(&self, fits: impl Iterator<Item = &'a Fitted>) -> Vec<(String, Item)> {
-        let mut saved = SavedFits { records: self.record_names(), fits: Vec::new(), length: 0 };
+    /// Finished fits in the form of [`ShownFits::saved`].
+    pub(crate) fn to_save<'a>(self, fits: impl Iterator<Item = &'a Fitted>) -> Vec<(String, Item)> {
+        let mut saved = SavedFits { records: self.records.names(), fits: Vec::new(), length: 0 };
         saved.add_finished(fits);
         saved.fits
     }
 
-    /// Restores a fit, to be reconstructed by [`Desk::advance_fit`], and returns its name in the storage. `None` if the
-    /// item is not a fit, or one of its records is missing.
-    pub fn restore_fit(&mut self, item: &Item) -> Option<String> {
-        let Content::Fit(saved) = &item.0 else { return None };
-        let records = self.record_names();
-        let waiting = self.waiting(saved, &records)?;
-        let name = name(&waiting.texts, &task(&waiting.definition, &records)?);
-        // The records of the last fit are likely to be fitted together again.
-        self.fits.setup.others = waiting.definition.parts.iter().map(|part| part.record).collect();
-        self.fits.setup.chosen = waiting.definition.parts.last().map(|part| part.record);
-        self.fits.waiting.push_back(waiting);
-        Some(name)
-    }
-
     /// True if fits are waiting to be reconstructed.
-    pub fn has_fits_waiting(&self) -> bool {
+    pub fn has_waiting(self) -> bool {
         !self.fits.waiting.is_empty()
     }
+}
 
-    fn waiting(&self, saved: &format::Fit, names: &[(u32, String)]) -> Option<Waiting> {
-        let task = &saved.task;
-        let definition = Definition {
-            file: task.file.clone(),
-            parts: task.records.iter().map(|part| self.part(part, names)).collect::<Option<_>>()?,
-            varied: task.varied.iter().map(read_varied).collect(),
-            parameters: read_numbers(&task.parameters),
-            window: task.window.map(|end| end.map(|Number(end)| end)),
-            loss: task.loss.as_deref().map_or(Some(Loss::Squares), Loss::from_code)?,
-        };
-        let rival = saved.found.rival.as_ref();
-        let found = Found {
-            values: read_numbers(&saved.found.values),
-            starts: saved.found.starts,
-            rival: rival.map(|rival| Rival { growth: rival.growth.0, values: read_numbers(&rival.values) }),
-        };
-        Some(Waiting { definition, texts: saved.documents.clone(), found })
+impl Fits {
+    /// Restores a fit, to be reconstructed by [`crate::Desk::advance_fit`], and returns its name in the storage. `None` if
+    /// one of its records is missing.
+    pub(crate) fn restore(&mut self, data: FitData<'_>, saved: &format::Fit) -> (Option<String>, Changes) {
+        let names = data.records.names();
+        let Some(waiting) = waiting(data.records, saved, &names) else { return (None, Changes::NONE) };
+        let Some(task) = task(&waiting.definition, &names) else { return (None, Changes::NONE) };
+        let name = name(&waiting.texts, &task);
+        // The records of the last fit are likely to be fitted together again.
+        self.setup.others = waiting.definition.parts.iter().map(|part| part.record).collect();
+        self.setup.chosen = waiting.definition.parts.last().map(|part| part.record);
+        self.waiting.push_back(waiting);
+        (Some(name), Changes::NONE)
     }
+}
 
-    /// Part of a fit if its record is there. The record is found by its name in the storage.
-    fn part(&self, saved: &format::Part, names: &[(u32, String)]) -> Option<Part> {
-        let (id, _) = names.iter().find(|(_, name)| *name == saved.record)?;
-        let record = self.record(*id).filter(|record| line(&record.name) == saved.name)?;
-        let mut uses = record.uses.clone();
-        take_uses(&mut uses, &saved.columns).then_some(())?;
-        let fixed = saved.fixed.iter().map(|&(index, Number(value))| (index, value)).collect();
-        let origin = saved.origin.map(|Number(origin)| origin);
-        let errors = saved.errors.iter().filter_map(read_error).collect();
-        Some(Part { record: record.id, name: record.name.clone(), uses, origin, fixed, errors })
-    }
+/// The stored fit with its records; `None` if one of them is missing.
+fn waiting(records: &Records, saved: &format::Fit, names: &[(u32, String)]) -> Option<Waiting> {
+    let task = &saved.task;
+    let definition = Definition {
+        file: task.file.clone(),
+        parts: task.records.iter().map(|part| read_part(records, part, names)).collect::<Option<_>>()?,
+        varied: task.varied.iter().map(read_varied).collect(),
+        parameters: read_numbers(&task.parameters),
+        window: task.window.map(|end| end.map(|Number(end)| end)),
+        loss: task.loss.as_deref().map_or(Some(Loss::Squares), Loss::from_code)?,
+    };
+    let rival = saved.found.rival.as_ref();
+    let found = Found {
+        values: read_numbers(&saved.found.values),
+        starts: saved.found.starts,
+        rival: rival.map(|rival| Rival { growth: rival.growth.0, values: read_numbers(&rival.values) }),
+    };
+    Some(Waiting { definition, texts: saved.documents.clone(), found })
+}
+
+/// Part of a fit if its record is there. The record is found by its name in the storage.
+fn read_part(records: &Records, saved: &format::Part, names: &[(u32, String)]) -> Option<Part> {
+    let (id, _) = names.iter().find(|(_, name)| *name == saved.record)?;
+    let record = records.get(*id).filter(|record| line(record.name()) == saved.name)?;
+    let mut uses = record.uses().to_vec();
+    take_uses(&mut uses, &saved.columns).then_some(())?;
+    let fixed = saved.fixed.iter().map(|&(index, Number(value))| (index, value)).collect();
+    let origin = saved.origin.map(|Number(origin)| origin);
+    let errors = saved.errors.iter().filter_map(read_error).collect();
+    Some(Part { record: record.id(), name: record.name().to_owned(), uses, origin, fixed, errors })
 }
 
 /// Collector of the fits to store.

@@ -1,6 +1,6 @@
 //! Derived quantities of fitted theories against the parameters that a fit held fixed.
 
-use crate::Desk;
+use crate::fits::ShownFits;
 use crate::fits::fit::Fitted;
 use analysis::fit::Target;
 use engine::Readings;
@@ -28,10 +28,10 @@ pub struct TheoryCurve {
     pub y: Vec<f64>,
 }
 
-impl Desk {
+impl ShownFits<'_> {
     /// Derived quantities of the finished fits against each parameter that the fit held fixed, from a tenth to ten times its value.
     /// A parameter of value 0 has no curve. `is_wanted`: true for the title of a theory whose curves are to be computed.
-    pub fn theory_curves(&self, is_wanted: impl Fn(&str) -> bool) -> Vec<TheoryCurve> {
+    pub fn theory_curves(self, is_wanted: impl Fn(&str) -> bool) -> Vec<TheoryCurve> {
         let wanted = self.fits.finished.iter().filter(|fit| is_wanted(&fit.document.program.title));
         wanted.flat_map(curves).collect()
     }

@@ -1,5 +1,5 @@
 //! Checks beyond the compiler: dependencies between crates, circles between the files of a crate, access of the core to
-//! the outside, long files, and paths of a machine.
+//! the outside, owned parts, long files, and paths of a machine.
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
@@ -7,5 +7,6 @@ mod circles;
 mod crates;
 mod lengths;
 mod machine;
+mod parts;
 mod texts;
 mod uses;

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { Agent, createServer, request } from "node:http";
 import { after, before } from "node:test";
 import { chromium } from "playwright-core";
@@ -9,9 +10,18 @@ import { eventually, program, temporary } from "../lab.mjs";
 
 let stores = 0;
 
+/** A port on which nothing listens. Another test that takes the next free one does not get it while a server is down. */
+async function free() {
+  const server = createServer().listen(0, "127.0.0.1");
+  await once(server, "listening");
+  const { port } = server.address();
+  await new Promise((done) => server.close(done));
+  return String(port);
+}
+
 /** Starts the program, at the port of an earlier start if there was one; what the screen says. */
 export async function start({ port, what = ["simulations/utube.md"], store = temporary(`class-${(stores += 1)}.sqlite`) } = {}) {
-  const words = ["class", "serve", ...what, "--store", store, ...(port ? ["--port", port] : [])];
+  const words = ["class", "serve", ...what, "--store", store, "--port", port ?? (await free())];
   const child = spawn(program, words, { cwd: new URL("../../..", import.meta.url).pathname, stdio: ["ignore", "ignore", "pipe"] });
   let said = "";
   child.stderr.on("data", (data) => (said += data));
@@ -20,7 +30,11 @@ export async function start({ port, what = ["simulations/utube.md"], store = tem
   return { child, code, link, store, base: link.split("/teacher")[0], port: link.match(/:(\d+)\//)[1] };
 }
 
-export const stop = (one, signal = "SIGINT") => new Promise((done) => { one.child.once("exit", done); one.child.kill(signal); });
+export async function stop({ child }, signal = "SIGINT") {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  child.kill(signal);
+  await once(child, "exit");
+}
 
 /** Chromium for the tests of a file: `visitor` opens a page in a browser of its own, `faults` collects the errors of all pages. */
 export function school() {

@@ -55,7 +55,7 @@
   const take = (news) => {
     since = news.last;
     skew = news.now - Date.now();
-    settings = news.settings;
+    if (!setting) settings = news.settings;
     seats = news.seats;
     for (const event of news.events) {
       if (event.kind !== "part") continue;
@@ -82,11 +82,17 @@
     }
   };
 
+  // Number of changes without an answer; news on their way have the settings before them.
+  let setting = 0;
   const set = async (change) => {
+    const before = settings;
+    settings = { ...settings, ...change };
+    setting += 1;
     try {
-      const response = await ask("/api/teacher/settings", { body: JSON.stringify({ ...settings, ...change }) });
-      if (response.ok) ({ settings } = await response.json());
-    } catch { said = words().lost; }
+      const response = await ask("/api/teacher/settings", { body: JSON.stringify(settings) });
+      settings = response.ok ? (await response.json()).settings : before;
+    } catch { settings = before; said = words().lost; }
+    setting -= 1;
     show();
   };
   const post = async (path, seat) => {

@@ -25,10 +25,10 @@ pub(crate) struct Swept {
     /// Number of parameter values.
     count: usize,
     /// Abscissas: parameter values, in the unit of the axis; for points, one entry per point.
-    pub x: Vec<f64>,
+    pub(super) x: Vec<f64>,
     /// Ordinates, one list per curve, in the units of the curves. NaN while unknown. Points are appended as runs
     /// proceed.
-    pub y: Vec<Vec<f64>>,
+    pub(super) y: Vec<Vec<f64>>,
     /// Number of complete runs, and the run in progress.
     done: usize,
     run: Option<Going>,

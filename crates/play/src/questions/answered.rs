@@ -93,7 +93,7 @@ impl Answers {
     /// Stores the text in the field of a question as an unchecked answer.
     pub fn type_text(&mut self, question: usize, text: &str) -> Changes {
         let Some(answer) = self.given.get_mut(question) else { return Changes::NONE };
-        answer.type_text(text);
+        *answer = std::mem::take(answer).typed(text);
         Changes::ANSWERS
     }
 
@@ -103,7 +103,7 @@ impl Answers {
         let verdict = self.verdict(basis, at, question, text);
         let mut changes = self.type_text(question, text);
         if let Some(answer) = self.given.get_mut(question) {
-            answer.check(verdict.grade);
+            *answer = std::mem::take(answer).checked(verdict.grade);
         }
         if verdict.grade == Grade::Correct {
             changes |= self.solve(question);
@@ -134,7 +134,7 @@ impl Answers {
     /// Marks the right answer as shown and the question as solved.
     pub fn reveal(&mut self, question: usize) -> Changes {
         let Some(answer) = self.given.get_mut(question) else { return Changes::NONE };
-        answer.reveal();
+        *answer = std::mem::take(answer).shown();
         self.solve(question) | Changes::ANSWERS
     }
 

@@ -46,39 +46,28 @@ impl Answer {
         if self.revealed { self.found } else { is_right }
     }
 
-    /// Notes that the right answer is shown.
-    pub(crate) fn reveal(&mut self) {
-        (self.found, self.revealed) = (self.was_found(), true);
+    /// The answer once the right one is shown.
+    pub(crate) fn shown(self) -> Self {
+        Self { found: self.was_found(), revealed: true, ..self }
     }
 
-    /// Sets the text in the field, which has no grade yet.
-    pub(crate) fn type_text(&mut self, text: &str) {
-        (self.typed, self.grade) = (one_line(text), None);
+    /// The answer with another text in the field, which has no grade yet.
+    pub(crate) fn typed(self, text: &str) -> Self {
+        Self { typed: one_line(text), grade: None, ..self }
     }
 
-    /// Grades the text in the field. The same text with the same grade twice in a row is one attempt.
-    pub(crate) fn check(&mut self, grade: Grade) {
-        self.grade = Some(grade);
-        self.attempt(Attempt { typed: self.typed.clone(), grade });
+    /// The answer with a grade for the text in the field. The same text with the same grade twice in a row is one attempt.
+    pub(crate) fn checked(self, grade: Grade) -> Self {
+        let attempt = Attempt { typed: self.typed.clone(), grade };
+        Self { grade: Some(grade), attempts: with_attempt(self.attempts, attempt), ..self }
     }
 
     /// Copy of a stored answer within the limits of length and number.
     pub(crate) fn bounded(&self) -> Self {
-        let Self { typed, grade, revealed, found, .. } = self;
-        let mut answer =
-            Self { typed: one_line(typed), grade: *grade, revealed: *revealed, found: *found, attempts: Vec::new() };
-        for Attempt { typed, grade } in &self.attempts {
-            answer.attempt(Attempt { typed: one_line(typed), grade: *grade });
-        }
-        answer
-    }
-
-    fn attempt(&mut self, attempt: Attempt) {
-        if self.attempts.last() != Some(&attempt) {
-            self.attempts.push(attempt);
-            let extra = self.attempts.len().saturating_sub(MOST_ATTEMPTS);
-            self.attempts.drain(..extra);
-        }
+        let Self { typed, grade, revealed, found, attempts } = self;
+        let attempts = attempts.iter().map(|one| Attempt { typed: one_line(&one.typed), grade: one.grade });
+        let attempts = attempts.fold(Vec::new(), with_attempt);
+        Self { typed: one_line(typed), grade: *grade, revealed: *revealed, found: *found, attempts }
     }
 
     /// Copy with the grades alone, of the attempts before the last one or of all.
@@ -128,6 +117,16 @@ impl Answer {
             attempts: lines.filter_map(attempt).collect(),
         })
     }
+}
+
+/// Attempts with one more; of more than the maximum the latest.
+fn with_attempt(mut attempts: Vec<Attempt>, attempt: Attempt) -> Vec<Attempt> {
+    if attempts.last() != Some(&attempt) {
+        attempts.push(attempt);
+        let extra = attempts.len().saturating_sub(MOST_ATTEMPTS);
+        attempts.drain(..extra);
+    }
+    attempts
 }
 
 fn one_line(text: &str) -> String {

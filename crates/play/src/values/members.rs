@@ -39,9 +39,9 @@ pub struct Index {
 #[derive(Debug, Default)]
 pub(crate) struct Lines {
     /// Lines of all readouts except the independent variable.
-    pub readouts: Vec<Line<ReadoutKind>>,
+    pub(super) readouts: Vec<Line<ReadoutKind>>,
     /// Lines of the states, which are set individually.
-    pub states: Vec<Line<usize>>,
+    pub(super) states: Vec<Line<usize>>,
     /// Selected indices by the name of the family without primes: x[3] and x[3]' belong to one body.
     chosen: BTreeMap<String, Vec<i64>>,
 }

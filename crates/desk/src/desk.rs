@@ -414,7 +414,9 @@ impl Desk {
         Ok(())
     }
 
-    /// Positions of the model in frames of the open film; see [`Films::model`].
+    /// Positions of the model in frames of the open film, px of the upright picture, by the quantities that the columns of
+    /// this track measure. `None` if the run has not reached the time, without a record, or if no column measures a
+    /// quantity of the model.
     pub fn film_model(&mut self, track: usize, frames: &[usize]) -> Vec<Option<[f64; 2]>> {
         self.films.model(&mut self.play, &self.document, &self.records, track, frames)
     }

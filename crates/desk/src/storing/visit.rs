@@ -2,6 +2,7 @@
 
 use super::answers::{restore_answer, saved_answers};
 use crate::Desk;
+use saved::format::Content;
 use saved::{Item, Shelf, Storage};
 
 /// Key prefixes of the items of all documents.
@@ -25,10 +26,10 @@ impl Visit {
     /// Restores records, films and fits. Returns the number of records for which there was no room; they stay in the
     /// storage.
     pub fn restore_measured(&mut self, desk: &mut Desk, storage: &mut dyn Storage) -> usize {
-        let records = self.records.read(storage, RECORDS, |_, item| key(RECORDS, desk.restore_item(item)));
+        let records = self.records.read(storage, RECORDS, |_, item| restored(desk, RECORDS, item));
         // After the records, to which some of them belong.
-        self.films.read(storage, FILMS, |_, item| key(FILMS, desk.restore_item(item)));
-        let fits = self.fits.read(storage, FITS, |_, item| key(FITS, desk.restore_item(item)));
+        self.films.read(storage, FILMS, |_, item| restored(desk, FILMS, item));
+        let fits = self.fits.read(storage, FITS, |_, item| restored(desk, FITS, item));
         if records.refused.is_empty() && records.unreadable.is_empty() {
             // The record of a fit that cannot be restored was removed in another page.
             fits.refused.iter().for_each(|key| storage.remove(key));
@@ -85,6 +86,14 @@ fn answers_of(document: &str) -> String {
     format!("answer:{document}:")
 }
 
-fn key(prefix: &str, name: Option<String>) -> Option<String> {
+/// Restores an item of the kind of a prefix, and returns its key in the storage.
+fn restored(desk: &mut Desk, prefix: &str, item: &Item) -> Option<String> {
+    let own = match item.0 {
+        Content::Record(_) => RECORDS,
+        Content::Film(_) => FILMS,
+        Content::Fit(_) => FITS,
+        Content::Answer(_) => return None,
+    };
+    let name = if own == prefix { desk.restore_item(item) } else { None };
     name.map(|name| format!("{prefix}{name}"))
 }

@@ -115,8 +115,8 @@ impl Browser {
 /// Environment variable with the folder of Postgres's programs.
 pub const POSTGRES: &str = "POSTGRES_BIN";
 
-/// Folder of Postgres's programs: from the environment variable, else that of `initdb` in `PATH` or where Debian has the newest
-/// version, else after installation with apt.
+/// Folder of Postgres's programs: from the environment variable, else where Debian has the newest version, or that of `initdb` in
+/// `PATH`, else after installation with apt.
 pub fn postgres() -> Result<PathBuf> {
     if let Some(folder) = std::env::var_os(POSTGRES).map(PathBuf::from) {
         return Ok(folder);
@@ -129,14 +129,15 @@ pub fn postgres() -> Result<PathBuf> {
         .with_context(|| format!("the tests of the class server need Postgres: install it, or set {POSTGRES}"))
 }
 
+/// Programs of Postgres that the tests start, which stand in one folder.
+const POSTGRES_PROGRAMS: [&str; 4] = ["initdb", "pg_ctl", "pg_dump", "psql"];
+
 fn installed_postgres() -> Option<PathBuf> {
-    let in_path = find("initdb").and_then(|program| Some(program.parent()?.to_owned()));
-    let debian = || {
-        let versions = std::fs::read_dir("/usr/lib/postgresql").ok()?.filter_map(|entry| Some(entry.ok()?.path()));
-        let folders = versions.map(|version| version.join("bin")).filter(|folder| folder.join("initdb").is_file());
-        folders.max()
-    };
-    in_path.or_else(debian)
+    let is_whole = |folder: &PathBuf| POSTGRES_PROGRAMS.iter().all(|program| folder.join(program).is_file());
+    let in_path = || find("initdb").and_then(|program| Some(program.parent()?.to_owned())).filter(is_whole);
+    let versions = std::fs::read_dir("/usr/lib/postgresql").into_iter().flatten().flatten();
+    let debian = versions.map(|version| version.path().join("bin")).filter(is_whole).max();
+    debian.or_else(in_path)
 }
 
 /// Installs packages with apt.

@@ -375,7 +375,7 @@ impl Desk {
         match self.change_films(|films, play| films.advance_tracking(play, steps))? {
             Tracked::NotYet => Ok(false),
             Tracked::Known => Ok(true),
-            Tracked::Anew(kept) => {
+            Tracked::Found(kept) => {
                 let written = self.write_film_record(false, kept)?;
                 self.note(written.announcing(Announcement::FilmTracked));
                 Ok(true)

@@ -108,12 +108,7 @@ impl<'a> Sweep<'a> {
             Err(error) if !error.is_end() => return Err(error),
             _ => take(&run, rows..run.history().len()),
         }
-        let history = run.history();
-        let Some(row) = (0..history.len()).rev().find(|row| history.time(*row) <= last) else { return Ok(Vec::new()) };
-        let parameters: Vec<f64> = history.parameters(row).iter().copied().chain(folds.results(aggregates)).collect();
-        let mut state = vec![0.0; history.states()];
-        history.state(row, &mut state);
-        let values = reader.last.at(&parameters, history.initial(), history.time(row), &state);
+        let values = folds.values_at_end(aggregates, &mut reader.last, run.history(), self.until).unwrap_or_default();
         let units = self.outcomes.curves.iter().map(|curve| &curve.value.unit);
         Ok(values.iter().zip(units).map(|(value, unit)| unit.from_si(*value)).collect())
     }

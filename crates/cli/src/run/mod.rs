@@ -1,9 +1,10 @@
 //! `meniscus run`: writes the table of a document row by row while it is computed.
 
-pub(crate) mod drawn;
+mod drawn;
 pub(crate) mod rows;
 
 use crate::arguments::assignments::names_in;
+use crate::arguments::run_settings::RunSettings;
 use crate::arguments::settings;
 use crate::arguments::{Format, Run};
 use crate::failure::Failure;
@@ -13,11 +14,12 @@ use crate::terminal::output::Output;
 use crate::terminal::progress;
 use document::Document;
 use engine::table::Table;
-use engine::{RunError, Subject};
+use engine::{RunError, Setup, Subject};
 use indicatif::ProgressBar;
 use model::{Diagnostic, Span};
 use rows::Rows;
 use std::io::Write;
+use std::path::Path;
 
 /// Buffer size in bytes before rows are written.
 const CHUNK: usize = 1 << 16;
@@ -29,19 +31,7 @@ const LONG: u64 = 200_000;
 
 /// Runs the document from 0 to the end.
 pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
-    let sources = load::sources(&arguments.document)?;
-    // A button may be named by its translated title.
-    let loaded =
-        Loaded::open(if arguments.settings.press.is_empty() { sources.without_translations() } else { sources });
-    terminal.report(&loaded);
-    let refused = loaded.opened.has_errors();
-    let Loaded { sources, opened } = loaded;
-    let Some(mut document) = opened.document.filter(|_| !refused) else {
-        return Err(Failure::Document);
-    };
-    let (mut setup, until) = settings::setup(&mut document, &arguments.settings, terminal)?;
-    drawn::draw(&mut document, &arguments.settings.draw)?;
-    setup.drawings = document.program.model.drawings();
+    let Prepared { sources, document, setup, until } = prepare(&arguments.document, &arguments.settings, terminal)?;
     let model = &document.program.model;
     let table = match &arguments.columns {
         Some(names) => Table::select(model, &names.iter().flat_map(|text| names_in(text)).collect::<Vec<_>>())
@@ -95,6 +85,32 @@ pub fn run(arguments: &Run, terminal: Terminal) -> Result<(), Failure> {
             Err(failed(error))
         }
     }
+}
+
+/// A document without errors, with the settings of its runs.
+pub(crate) struct Prepared {
+    pub sources: Sources,
+    pub document: Document,
+    pub setup: Setup,
+    /// End of the runs, SI.
+    pub until: f64,
+}
+
+/// Opens a document for runs with these settings. Findings are reported.
+pub(crate) fn prepare(path: &Path, settings: &RunSettings, terminal: Terminal) -> Result<Prepared, Failure> {
+    let sources = load::sources(path)?;
+    // A button may be named by its translated title.
+    let loaded = Loaded::open(if settings.press.is_empty() { sources.without_translations() } else { sources });
+    terminal.report(&loaded);
+    let refused = loaded.opened.has_errors();
+    let Loaded { sources, opened } = loaded;
+    let Some(mut document) = opened.document.filter(|_| !refused) else {
+        return Err(Failure::Document);
+    };
+    let (mut setup, until) = settings::setup(&mut document, settings, terminal)?;
+    drawn::draw(&mut document, &settings.draw)?;
+    setup.drawings = document.program.model.drawings();
+    Ok(Prepared { sources, document, setup, until })
 }
 
 /// Number of whole steps between 0 and `until`, tolerant to rounding.

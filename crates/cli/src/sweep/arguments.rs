@@ -35,7 +35,7 @@ pub struct Sweep {
     #[arg(long, value_name = "VALUES", required = true)]
     pub over: Vec<String>,
 
-    /// What is kept of each run
+    /// Numbers that are kept of each run
     #[arg(long, value_name = "NUMBERS", required = true)]
     pub keep: Vec<String>,
 

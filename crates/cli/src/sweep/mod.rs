@@ -3,10 +3,9 @@
 pub(crate) mod arguments;
 mod axes;
 
-use crate::arguments::settings;
 use crate::failure::Failure;
-use crate::load::{self, Loaded, Sources};
-use crate::run::{drawn, failed};
+use crate::load::Sources;
+use crate::run::{Prepared, failed, prepare};
 use crate::terminal::Terminal;
 use crate::terminal::output::Output;
 use crate::terminal::progress;
@@ -14,6 +13,7 @@ use arguments::Sweep;
 use document::Document;
 use engine::RunError;
 use engine::csv::Dialect;
+use engine::table::Column;
 use program::Outcomes;
 use runner::{Outcome, Plan, PlanError, Points};
 use std::fmt::Write as _;
@@ -33,15 +33,8 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
     if let Some(threads) = arguments.threads {
         runner::use_threads(threads);
     }
-    let sources = load::sources(&arguments.document)?;
-    let loaded = Loaded::open(sources);
-    terminal.report(&loaded);
-    let refused = loaded.opened.has_errors();
-    let Loaded { sources, opened } = loaded;
-    let Some(mut document) = opened.document.filter(|_| !refused) else { return Err(Failure::Document) };
-    let (mut setup, until) = settings::setup(&mut document, &arguments.settings, terminal)?;
-    drawn::draw(&mut document, &arguments.settings.draw)?;
-    setup.drawings = document.program.model.drawings();
+    let prepared = prepare(&arguments.document, &arguments.settings, terminal)?;
+    let Prepared { sources, mut document, setup, until } = prepared;
     let plan = plan(&mut document, arguments, &setup.parameters, terminal)?;
     let outcomes = kept(&mut document, &arguments.keep.join(", "), terminal)?;
     let output = match &arguments.output {
@@ -104,7 +97,7 @@ fn refusal(message: Words) -> Failure {
     Failure::Request { message, hint: None }
 }
 
-/// What is kept of each run.
+/// The numbers that are kept of each run.
 fn kept(document: &mut Document, text: &str, terminal: Terminal) -> Result<Outcomes, Failure> {
     document::outcomes(document, text).map_err(|found| {
         let source = Sources::of_text("--keep", text);
@@ -134,10 +127,10 @@ impl<'a> Table<'a> {
             (label.unwrap_or(&curve.expression), &curve.value.unit)
         });
         for (name, unit) in axes.chain(kept) {
-            let heading = if unit.text.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
+            let column = Column { name: name.to_owned(), label: None, unit: unit.clone() };
             text.push(',');
             // Writing to a string cannot fail.
-            let _ = Dialect::Lines.text(&mut text, &heading);
+            let _ = Dialect::Lines.text(&mut text, &column.heading());
         }
         text.push('\n');
         Self { output, document, plan, kept: outcomes.curves.len(), text }

@@ -182,7 +182,7 @@ impl Films {
             work.found = Some(found(following, &open.clip, work.factor()));
             open.pictures = pictures(following, &open.clip);
         }
-        (Ok(Tracked::Anew(Kept { origin: corrected, offsets: corrected })), Changes::FILMS)
+        (Ok(Tracked::Found(Kept { origin: corrected, offsets: corrected })), Changes::FILMS)
     }
 
     /// Updates the space-time pictures with the frames taken so far. It takes several milliseconds, so that a few calls
@@ -301,7 +301,7 @@ pub(crate) enum Tracked {
     /// The strips have been read; the results of an earlier visit are kept.
     Known,
     /// New results; these results of a fit remain valid for the record.
-    Anew(Kept),
+    Found(Kept),
 }
 
 /// Result without its value.

@@ -5,7 +5,7 @@ use crate::records::record::Origin;
 use crate::{Announcement, Changes};
 use analysis::fit::Target;
 
-/// What applying a fit sets in the records and in the simulation.
+/// Values that a fit, when applied, sets in the records and in the simulation.
 #[derive(Debug)]
 pub(crate) struct Application {
     /// Id of the fit.
@@ -59,7 +59,7 @@ impl Fits {
 }
 
 impl ShownFits<'_> {
-    /// What applying a fit sets; `None` if it does not exist or cannot be applied. With several records, it uses the
+    /// Values that a fit sets when it is applied; `None` if it does not exist or cannot be applied. With several records, it uses the
     /// chosen one, else the first, and shows only that one, because the curve belongs to it.
     pub(crate) fn application(self, id: u32) -> Option<Application> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id && self.is_applicable(fit))?;

@@ -62,7 +62,7 @@ pub struct Fits {
     running: VecDeque<Running>,
 }
 
-/// What fits read: the open document, the records and their films.
+/// Parts of a desk that fits read: the open document, the records and their films.
 #[derive(Clone, Copy, Debug)]
 pub struct FitData<'a> {
     pub(crate) open: OpenDocument<'a>,

@@ -41,7 +41,7 @@ pub fn independent(outline: &Outline) -> (String, String) {
     declared.next().unwrap_or_else(|| ("t".to_owned(), "s".to_owned()))
 }
 
-/// What a function of the document is.
+/// Description of a function of the document.
 pub const FUNCTION: Words = words("function of this document");
 
 /// A name that a statement declares.

@@ -1,5 +1,8 @@
 //! Numbers of a whole run, taken row by row: maximum, minimum, mean, integral.
 
+use super::history::History;
+use super::readings::Readings;
+use crate::methods::stepper::ROUNDING;
 use program::{Aggregate, AggregateKind};
 
 /// Intermediate results of aggregates of one run.
@@ -42,9 +45,22 @@ impl Folds {
         }
     }
 
-    /// The values of the aggregates up to the last row; NaN for one that has not begun to count.
-    pub fn results(&self, aggregates: &[Aggregate]) -> impl Iterator<Item = f64> {
-        self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of))
+    /// Values of `readings` (SI) at the last row of a run up to `until` (SI), with the aggregates as further parameters; NaN for
+    /// an aggregate that has not begun to count. `None` if there is no such row.
+    pub fn values_at_end<'a>(
+        &self,
+        aggregates: &[Aggregate],
+        readings: &'a mut Readings,
+        history: &History,
+        until: f64,
+    ) -> Option<&'a [f64]> {
+        let last = until * (1.0 + ROUNDING);
+        let row = (0..history.len()).rev().find(|row| history.time(*row) <= last)?;
+        let results = self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of));
+        let parameters: Vec<f64> = history.parameters(row).iter().copied().chain(results).collect();
+        let mut state = vec![0.0; history.states()];
+        history.state(row, &mut state);
+        Some(readings.at(&parameters, history.initial(), history.time(row), &state))
     }
 }
 

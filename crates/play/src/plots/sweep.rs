@@ -241,14 +241,9 @@ impl Swept {
 
     /// Computes the values of a complete run.
     fn draw(&mut self, going: &Going) {
-        let history = going.run.history();
-        let last = self.sweep.until * (1.0 + engine::ROUNDING);
-        let Some(row) = (0..history.len()).rev().find(|row| history.time(*row) <= last) else { return };
-        let aggregates = going.folds.results(&self.sweep.aggregates);
-        let parameters: Vec<f64> = history.parameters(row).iter().copied().chain(aggregates).collect();
-        let mut state = vec![0.0; history.states()];
-        history.state(row, &mut state);
-        let values = self.drawn.at(&parameters, history.initial(), history.time(row), &state);
+        let (history, aggregates) = (going.run.history(), &self.sweep.aggregates);
+        let values = going.folds.values_at_end(aggregates, &mut self.drawn, history, self.sweep.until);
+        let Some(values) = values else { return };
         let columns = self.y.iter_mut().zip(&self.sweep.taken).zip(values.iter().zip(&self.units));
         for ((column, taken), (value, unit)) in columns {
             if let (Some(cell), Taken::Run(_)) = (column.get_mut(self.done), taken) {

@@ -23,7 +23,7 @@ use std::rc::Rc;
 ///
 /// It searches from the given starts or the parameters' own values, then from the frequency and damping estimated from the
 /// data, then in windows that grow from the beginning of the record, then from starts spread over the ranges. Further
-/// starts are tried only while the best one leaves much unexplained. Own values that explain nothing come after the
+/// starts are tried only while the best one leaves much unexplained or is not definite. Own values that explain nothing come after the
 /// estimate. For a model with events or branches, starts around the best answer are tried at the end.
 #[derive(Clone, Debug)]
 pub struct Fit {
@@ -215,7 +215,7 @@ impl Fit {
 
     /// True if no other start is needed: the best search converged, explains enough and its answer is definite.
     fn is_enough(&self) -> bool {
-        let definite = |best: &Search| self.stages.is_definite(best);
+        let definite = |best: &Search| self.stages.is_definite(best, self.elsewhere.is_confirmed(best));
         self.course.converged && self.explained() >= Self::EXPLAINED && self.best.as_ref().is_some_and(definite)
     }
 

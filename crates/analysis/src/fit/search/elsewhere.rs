@@ -166,6 +166,12 @@ impl Elsewhere {
         }
     }
 
+    /// True if two searches have ended at the answer.
+    pub fn is_confirmed(&self, best: &Search) -> bool {
+        let same = |(_, sum): &&(Vec<f64>, f64)| (sum - best.sum).abs() <= Self::EQUAL * best.sum;
+        self.ends.iter().filter(same).nth(1).is_some()
+    }
+
     /// Lowest end of all searches so far in another minimum that fits as well within the noise.
     pub fn rival(&self, problem: &Problem, best: &Search) -> Option<Rival> {
         let variance = variance(problem, best);

@@ -113,9 +113,9 @@ impl Stages {
     }
 
     /// True if the answer of a search is as definite as the own values. It is not if terms have become equal, or a number
-    /// is at a bound of its range.
-    pub fn is_definite(&self, search: &Search) -> bool {
-        flat(search) <= self.flat && (0..search.x.len()).all(|column| !search.at_bound(column))
+    /// is at a bound of its range, unless the answer is `confirmed`: another start has led to it as well.
+    pub fn is_definite(&self, search: &Search, confirmed: bool) -> bool {
+        flat(search) <= self.flat && (confirmed || (0..search.x.len()).all(|column| !search.at_bound(column)))
     }
 
     /// Search of the next stage; `None` if it has none.

@@ -65,6 +65,8 @@ pub struct Room {
     names: Signal<BTreeMap<String, String>>,
     is_open: Signal<bool>,
     is_computing: Signal<bool>,
+    /// True if a computation was asked for since the one that runs last looked for work.
+    is_asked: Signal<bool>,
     /// Computes hand-ins beside the page.
     computing: Signal<Computing>,
     /// Reason why the last files were refused; empty if they were not.
@@ -99,6 +101,7 @@ impl Room {
             names: create_signal(BTreeMap::new()),
             is_open: create_signal(false),
             is_computing: create_signal(false),
+            is_asked: create_signal(false),
             computing: create_signal(Computing::default()),
             refusal: create_signal(String::new()),
             updated: create_signal((0.0, 0.0)),
@@ -236,18 +239,23 @@ impl Room {
     }
 
     /// Computes the hand-ins in workers; compares them here in slices, between which the page reacts. Called again when workers
-    /// have computed something.
+    /// have computed something, and when a hand-in was added.
     pub fn compute(self) {
+        self.is_asked.set_silent(true);
         if self.is_computing.replace(true) {
             return;
         }
         self.computing.update_silent(|computing| computing.wake_by(move || self.compute()));
         wasm_bindgen_futures::spawn_local(async move {
             loop {
+                self.is_asked.set_silent(false);
                 let waits = self.exchange();
                 let goes_on = !waits && self.work_for_a_slice();
                 browser::breathe().await;
                 self.show_sometimes().await;
+                if self.is_asked.get_untracked() {
+                    continue;
+                }
                 let is_called_again = waits && !self.computing.with_untracked(Computing::has_heard);
                 if is_called_again || !(waits || goes_on) {
                     self.is_computing.set_silent(false);

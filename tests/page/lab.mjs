@@ -98,7 +98,7 @@ export function visit(title, ...rest) {
 }
 
 /** Until it holds: `check` throws as long as it does not. */
-export async function eventually(check, seconds = 10) {
+export async function eventually(check, seconds = 30) {
   const end = Date.now() + seconds * 1000;
   for (;;) {
     try {
@@ -150,7 +150,7 @@ export class Lab {
       acceptDownloads: true,
     });
     await context.setOffline(!address);
-    context.setDefaultTimeout(10_000);
+    context.setDefaultTimeout(30_000);
     const page = await context.newPage();
     if (!idle) {
       await page.addInitScript(() => {

@@ -140,7 +140,8 @@ const isAtRest = () =>
   !document.querySelector("dialog[open], .message.passing, .stage [aria-expanded=true], :popover-open");
 // Loads the laboratory when the page is idle, and starts it as soon as nobody is disturbed.
 const follow = () => {
-  const idle = globalThis.requestIdleCallback ?? ((then) => setTimeout(then, 200));
+  // A page that is never idle, as where each frame takes all of its time, waits two seconds at most.
+  const idle = (then) => (globalThis.requestIdleCallback ? requestIdleCallback(then, { timeout: 2000 }) : setTimeout(then, 200));
   const wait = () => {
     if (taken) return;
     if (isAtRest()) idle(() => (isAtRest() ? takeOver() : wait()));

@@ -48,7 +48,7 @@ export function school() {
   const watched = (page) => page.on("pageerror", (error) => faults.push(String(error)));
   const visitor = async (options = {}) => {
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
-    context.setDefaultTimeout(15_000);
+    context.setDefaultTimeout(30_000);
     context.on("page", watched);
     return context.newPage();
   };
@@ -77,7 +77,7 @@ export async function answer(page, text) {
   await field.press("Enter");
 }
 
-export const status = (page, pattern, seconds = 20) =>
+export const status = (page, pattern, seconds = 30) =>
   eventually(async () => assert.match(await page.locator("#class-status").innerText(), pattern), seconds);
 
 export const shows = (page, pattern, seconds = 30) =>

@@ -95,7 +95,7 @@ impl Sketch {
         let places = drawing.items.iter().enumerate();
         let places = places.map(|(number, item)| place(source, (&drawing, number), item, &marks, &mut nodes)).collect();
         let frame = drawing.items.iter().position(super::item::Item::is_frame);
-        let ground = marks.ground.as_ref().zip(frame).map(|(space, frame)| {
+        let ground = marks.ground().zip(frame).map(|(space, frame)| {
             let mut index = |node| kept(&mut nodes, node);
             let si = || Unit::si(space.dimension).to_string();
             GroundNodes {
@@ -165,7 +165,7 @@ fn place(
 ) -> Place {
     let mut index = |node| kept(nodes, node);
     let mut place = Place::default();
-    for marked in marks.elements.iter().filter(|marked| marked.place == item.span.start) {
+    for marked in marks.copies(item.span.start) {
         place.paths.push(marked.path.clone());
         if place.scale.is_none() {
             place.scale = Some(index(marked.scale));
@@ -175,11 +175,11 @@ fn place(
     }
     for attribute in &item.attributes {
         let Span { start, .. } = attribute.value;
-        if let Some(spot) = marks.spots.get(&start) {
+        if let Some(spot) = marks.spot(start) {
             place.spots.insert(attribute.name.clone(), [index(spot.x), index(spot.y)]);
         }
-        if let Some(node) = marks.numbers.get(&start) {
-            place.numbers.insert(attribute.name.clone(), index(*node));
+        if let Some(node) = marks.number(start) {
+            place.numbers.insert(attribute.name.clone(), index(node));
         }
     }
     place

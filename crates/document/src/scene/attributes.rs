@@ -54,7 +54,7 @@ impl Builder<'_, '_> {
             && let Some(id) = reference(literal)
             && REFERRING.contains(&text.as_str())
         {
-            self.references.push((id.to_owned(), value));
+            self.ids.refer(id, value);
             return Some(Attribute { name: text, value: vec![Piece::Literal(format!("url(#{id})"))] });
         }
         let literals: String = raw
@@ -114,7 +114,7 @@ impl Builder<'_, '_> {
         has_values: bool,
         place: Range<usize>,
     ) -> Option<Attribute> {
-        if name == "id" && self.repeating > 0 {
+        if name == "id" && self.quantity.is_repeating() {
             self.refuse(words("what is repeated cannot have an `id`"), place, None);
             return None;
         }

@@ -2,7 +2,6 @@
 
 use super::allowed::is_id;
 use super::builder::Builder;
-use super::space::Space;
 use super::space::frame::four_numbers;
 use super::space::marks::Marks;
 use super::translate::SceneText;
@@ -10,7 +9,6 @@ use super::xml::{RawChild, RawElement, parse};
 use crate::expressions::Expressions;
 use model::{Diagnostic, Span};
 use program::{Element, Scene};
-use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use units::{Language, words};
 
@@ -47,25 +45,7 @@ fn build_with(
     let start = range.start + length;
     expressions.define(range.start..start);
     let children = parse(source, start..range.end, &mut expressions.diagnostics);
-    let space = Space::drawing(expressions.graph());
-    let mut builder = Builder {
-        expressions,
-        values: Vec::new(),
-        trails: Vec::new(),
-        length: None,
-        numbers: BTreeMap::new(),
-        words: Vec::new(),
-        ids: BTreeSet::new(),
-        references: Vec::new(),
-        language,
-        drawn: 0,
-        copied: 0,
-        repeating: 0,
-        view_box: None,
-        space,
-        place: opening,
-        marks,
-    };
+    let mut builder = Builder::new(expressions, language, opening, marks);
     builder.collect_ids(&children);
     let mut root = None;
     for child in children {
@@ -81,9 +61,8 @@ fn build_with(
         }
     }
     builder.check_references();
-    let Builder { values, trails, length, words, marks, .. } = builder;
-    expressions.forget();
-    Some((Scene { root: root?, values, trails, length }, words, marks))
+    builder.expressions.forget();
+    Some(builder.finish(root?))
 }
 
 impl Builder<'_, '_> {
@@ -101,7 +80,7 @@ impl Builder<'_, '_> {
                             place,
                             Some(words("use letters, digits, `-` and `_`")),
                         );
-                    } else if !self.ids.insert(id.clone()) {
+                    } else if !self.ids.add(id.clone()) {
                         self.refuse(words!("the id `{id}` is used twice"), place, None);
                     }
                 }
@@ -111,10 +90,8 @@ impl Builder<'_, '_> {
     }
 
     fn check_references(&mut self) {
-        for (id, place) in std::mem::take(&mut self.references) {
-            if !self.ids.contains(&id) {
-                self.refuse(words!("nothing in the scene has the id `{id}`"), place, None);
-            }
+        for (id, place) in self.ids.take_unknown() {
+            self.refuse(words!("nothing in the scene has the id `{id}`"), place, None);
         }
     }
 
@@ -125,7 +102,9 @@ impl Builder<'_, '_> {
         }
         let name = raw.name.clone();
         let view_box = raw.attributes.iter().find(|(name, _)| self.source(name) == "viewBox");
-        self.view_box = view_box.and_then(|(_, value)| four_numbers(self.source(value)));
+        if let Some((_, value)) = view_box {
+            self.set_view_box(four_numbers(self.source(value)));
+        }
         let root = self.element(raw)?;
         if !root.attributes.iter().any(|attribute| attribute.name == "viewBox") {
             self.refuse(

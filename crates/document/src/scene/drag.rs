@@ -23,7 +23,7 @@ impl Builder<'_, '_> {
         };
         let place = crate::text::source::trim(self.expressions.source, place);
         let target = self.dragged(&place)?;
-        if dragging.up.is_none() && dragging.right.is_none() && (self.space.framed || anchor.is_some()) {
+        if dragging.up.is_none() && dragging.right.is_none() && (self.space().framed || anchor.is_some()) {
             return self.along(target, anchor, place);
         }
         if dragging.up.is_none() && dragging.right.is_none() {
@@ -88,7 +88,7 @@ impl Builder<'_, '_> {
             Dragged::State(index) => Variable::State(index as u32),
             Dragged::Parameter(index) => Variable::Parameter(index as u32),
         };
-        let space = self.space.clone();
+        let space = self.space().clone();
         let graph = self.expressions.graph();
         let zero = graph.constant(0.0);
         let spot = anchor.map_or(Spot { x: zero, y: zero }, |anchor| space.outside(graph, anchor));
@@ -123,10 +123,10 @@ impl Builder<'_, '_> {
         let inner = self.inside_braces(range);
         let mut rate = self.expressions.number(inner)?;
         let (unit, name, declared) = self.target(target)?;
-        let expected = if self.space.framed { unit.dimension.per(self.space.dimension)? } else { unit.dimension };
+        let expected = if self.space().framed { unit.dimension.per(self.space().dimension)? } else { unit.dimension };
         let is_zero = self.graph().as_constant(rate.value.node) == Some(0.0);
         if rate.value.dimension() != expected && !is_zero {
-            let message = if self.space.framed {
+            let message = if self.space().framed {
                 words!("this times a length of the frame must have the dimension of `{name}`")
             } else {
                 words!("one unit of the drawing must add to `{name}` something of its dimension")
@@ -135,8 +135,8 @@ impl Builder<'_, '_> {
             self.expressions.diagnostics.push(dimension_error(message, found, (declared, expected)));
             return None;
         }
-        if self.space.framed {
-            let scale = self.space.scale;
+        if self.space().framed {
+            let scale = self.space().scale;
             rate.value.node = self.graph().divide(rate.value.node, scale);
             rate.value.unit = unit;
         }

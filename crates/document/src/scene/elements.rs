@@ -15,7 +15,7 @@ impl Builder<'_, '_> {
     /// Builds an element; `None` if it is not permitted.
     pub fn element(&mut self, raw: RawElement) -> Option<Element> {
         let name = self.source(&raw.name).to_owned();
-        self.place = Span::new(raw.name.start, raw.name.end);
+        self.begin_element(Span::new(raw.name.start, raw.name.end));
         if let Some(part) = part_of(&name) {
             return self.part(part, raw);
         }
@@ -28,9 +28,9 @@ impl Builder<'_, '_> {
             );
             return None;
         }
-        let outside = self.space.clone();
+        let outside = self.space().clone();
         let element = self.placed(name, raw);
-        self.space = outside;
+        self.enter_space(outside);
         element
     }
 
@@ -46,7 +46,7 @@ impl Builder<'_, '_> {
         };
         let (_, range) = raw.attributes.remove(place);
         let Some((index, values)) = self.copies(range) else { return };
-        self.repeating += 1;
+        self.quantity.begin_repeating();
         for value in values {
             let before = self.expressions.diagnostics.len();
             self.hold(&index, value);
@@ -61,10 +61,10 @@ impl Builder<'_, '_> {
                 break;
             }
         }
-        self.repeating -= 1;
+        self.quantity.end_repeating();
     }
 
-    /// Builds an element with attributes and content. After a frame, or a group in a frame, [`Self::space`] is the inner
+    /// Builds an element with attributes and content. After a frame, or a group in a frame, [`Self::space()`] is the inner
     /// coordinate system; the caller restores the outer one.
     fn placed(&mut self, name: String, raw: RawElement) -> Option<Element> {
         let is_frame = name == "frame";
@@ -83,8 +83,8 @@ impl Builder<'_, '_> {
                 "drag" | "drag-up" | "drag-right" => dragging.take(self.source(&attribute), value),
                 "visible" => visible = self.visible(value),
                 own @ ("x" | "y" | "box") if is_frame => drop(geometry.insert(own.to_owned(), value)),
-                own if self.space.framed && is_geometry(&name, own) => drop(geometry.insert(own.to_owned(), value)),
-                "transform" if self.space.framed => self.refuse(
+                own if self.space().framed && is_geometry(&name, own) => drop(geometry.insert(own.to_owned(), value)),
+                "transform" if self.space().framed => self.refuse(
                     words("`transform` counts in units of the drawing"),
                     attribute,
                     Some(words("in a frame write `<g at=\"(x, y)\" turn=\"phi\">`")),
@@ -96,20 +96,20 @@ impl Builder<'_, '_> {
         let mut anchor = None;
         if is_frame {
             let axes = [take("x"), take("y"), take("box")];
-            self.space = self.frame_space(raw.name, axes)?;
-            let space = self.space.clone();
+            let space = self.frame_space(raw.name, axes)?;
             self.note_frame(&space);
+            self.enter_space(space);
         } else if name == "g" {
             let (at, turn) = (take("at"), take("turn"));
             if at.is_some() || turn.is_some() {
-                let outside = self.space.clone();
+                let outside = self.space().clone();
                 let (transform, place) = self.group_space(at, turn)?;
                 element.attributes.push(transform);
-                let inside = std::mem::replace(&mut self.space, outside);
+                let inside = self.enter_space(outside);
                 element.drag = self.drag(std::mem::take(&mut dragging), Some(place));
-                self.space = inside;
+                self.enter_space(inside);
             }
-        } else if self.space.framed {
+        } else if self.space().framed {
             let (attributes, place) = self.shape(&name, &geometry);
             element.attributes.extend(attributes);
             anchor = place;
@@ -148,8 +148,10 @@ impl Builder<'_, '_> {
             self.children(&mut element, names);
         } else if !is_label {
             let words = part.title.clone();
-            element.children.push(Child::Element(title(vec![Piece::Literal(words.text(self.language).into_owned())])));
-            self.words.push(SceneText { generated: Some(words), ..SceneText::default() });
+            element
+                .children
+                .push(Child::Element(title(vec![Piece::Literal(words.text(self.language()).into_owned())])));
+            self.record_text(SceneText { generated: Some(words), ..SceneText::default() });
         }
         let mut drawn = self.draw_part(part, &given)?;
         // After the drawn elements: translations take the texts in this order.

@@ -1,14 +1,13 @@
 //! Copies of an element for each value of an index, and computed lists of points: `i in 1..N`.
 
 use super::builder::Builder;
+use super::quantity::COPIES;
 use super::space::points;
 use model::{Expression, ExpressionKind, Span};
 use program::Piece;
 use std::ops::Range;
 use units::words;
 
-/// Maximum number of copies in a scene.
-const COPIES: usize = 2_000;
 /// Maximum number of points of a computed line.
 const POINTS: i64 = 500;
 /// Number of pieces of a curve.
@@ -35,8 +34,7 @@ impl Builder<'_, '_> {
             return None;
         };
         let count = usize::try_from(values.end.saturating_sub(values.start)).unwrap_or(0);
-        self.copied = self.copied.saturating_add(count);
-        if self.copied > COPIES {
+        if !self.quantity.copy(count) {
             self.refuse(words!("the elements of a scene cannot have more than {COPIES} copies"), range, None);
             return None;
         }

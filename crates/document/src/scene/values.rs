@@ -5,11 +5,47 @@ use super::template::{self, RawPiece, normalised};
 use super::translate::{SceneText, has_word};
 use crate::expressions::Placed;
 use program::{Compiled, Kind, NodeId, Piece, Template};
+use std::collections::BTreeMap;
 use std::ops::Range;
-use units::{Unit, words};
+use units::{Unit, Words, words};
 
 /// Maximum number of values of a scene; all are computed for every frame.
 const VALUES: usize = 10_000;
+
+/// Values of a scene so far; equal values share one index.
+#[derive(Default)]
+pub struct Values {
+    list: Vec<Compiled>,
+    /// Indices of the values of each node.
+    of_node: BTreeMap<NodeId, Vec<usize>>,
+}
+
+impl Values {
+    /// Index of a value, which is added if it is new. `None` if there are too many.
+    pub fn add(&mut self, compiled: Compiled) -> Option<usize> {
+        let same = self.of_node.entry(compiled.node).or_default();
+        let known = same.iter().copied().find(|index| self.list.get(*index) == Some(&compiled));
+        if known.is_some() {
+            return known;
+        }
+        if self.list.len() == VALUES {
+            return None;
+        }
+        same.push(self.list.len());
+        self.list.push(compiled);
+        Some(self.list.len() - 1)
+    }
+
+    /// Message about too many values.
+    pub fn too_many() -> Words {
+        words!("a scene cannot have more than {VALUES} values")
+    }
+
+    /// The values, by index.
+    pub fn into_list(self) -> Vec<Compiled> {
+        self.list
+    }
+}
 
 impl Builder<'_, '_> {
     /// Compiles a text and records it for translations.
@@ -27,13 +63,13 @@ impl Builder<'_, '_> {
                 _ => {}
             }
         }
-        self.words.push(text);
+        self.record_text(text);
         Some(template)
     }
 
     /// Records a text that is not in the document and is not translated.
     pub fn unsaid(&mut self) {
-        self.words.push(SceneText::default());
+        self.record_text(SceneText::default());
     }
 
     /// Compiles a piece of a text.
@@ -58,22 +94,6 @@ impl Builder<'_, '_> {
         Some(Piece::Value { index, decimals })
     }
 
-    /// Index of a value among those of the scene; equal values share one.
-    pub fn value(&mut self, Placed { value: compiled, span }: Placed) -> Option<usize> {
-        let same = self.numbers.entry(compiled.node).or_default();
-        let known = same.iter().copied().find(|index| self.values.get(*index) == Some(&compiled));
-        if known.is_some() {
-            return known;
-        }
-        if self.values.len() == VALUES {
-            self.expressions.error("too-large", words!("a scene cannot have more than {VALUES} values"), span);
-            return None;
-        }
-        same.push(self.values.len());
-        self.values.push(compiled);
-        Some(self.values.len() - 1)
-    }
-
     /// A number in units of the drawing, for an attribute; constants are written as text.
     pub fn drawn(&mut self, node: NodeId) -> Option<Piece> {
         if let Some(constant) = self.graph().as_constant(node) {
@@ -83,7 +103,7 @@ impl Builder<'_, '_> {
             return Some(Piece::Literal(text));
         }
         let value = Compiled { node, unit: Unit::dimensionless(), kind: Kind::Number };
-        let index = self.value(Placed { value, span: self.place })?;
+        let index = self.value(Placed { value, span: self.element_place() })?;
         Some(Piece::Value { index, decimals: None })
     }
 }

@@ -64,7 +64,7 @@ impl Builder<'_, '_> {
         let line = fixed("line", &[]);
         let line = self.numbered(line, &[("x1", begin.x), ("y1", begin.y), ("x2", end.x), ("y2", end.y)]);
         let mut head = fixed("path", &[("fill", TEXT), ("stroke", "none")]);
-        let shape = match (upright, self.space.framed) {
+        let shape = match (upright, self.space().framed) {
             (false, _) => "l-9 -4v8z",
             (true, true) => "l-4 9h8z",
             (true, false) => "l-4 -9h8z",
@@ -100,7 +100,7 @@ impl Builder<'_, '_> {
     /// Position of a constant point in the drawing.
     fn fixed_spot(&mut self, [x, y]: [f64; 2]) -> Spot {
         let (x, y) = (self.constant(x), self.constant(y));
-        let space = self.space.clone();
+        let space = self.space().clone();
         space.spot(self.graph(), x, y)
     }
 }

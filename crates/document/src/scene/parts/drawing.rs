@@ -155,7 +155,7 @@ impl Builder<'_, '_> {
         let Some(turn) = given.get("turn") else { return Some(None) };
         let angle = self.angle(turn.clone())?;
         // Angles are counterclockwise in a frame, and clockwise in SVG.
-        let angle = if self.space.framed { self.graph().negate(angle) } else { angle };
+        let angle = if self.space().framed { self.graph().negate(angle) } else { angle };
         Some(Some(self.degrees(angle)))
     }
 }

@@ -46,7 +46,7 @@ impl Builder<'_, '_> {
     pub fn ruler(&mut self, given: &Given) -> Option<Drawn> {
         let way = self.way_of(given)?;
         let Step { written, node: step, span } = self.step_of(given)?;
-        let space = self.space.clone();
+        let space = self.space().clone();
         let graph = self.graph();
         let (drawn, whole) = (space.length(graph, step), graph.divide(way.length, space.scale));
         let count = graph.as_constant(step).zip(graph.as_constant(whole));
@@ -129,7 +129,7 @@ impl Builder<'_, '_> {
         let amount = graph.unary(Unary::Absolute, difference);
         let (half_turn, zero) = (graph.constant(PI), graph.constant(0.0));
         let large = graph.binary(Binary::Less, half_turn, amount);
-        let clockwise = if self.space.framed { (difference, zero) } else { (zero, difference) };
+        let clockwise = if self.space().framed { (difference, zero) } else { (zero, difference) };
         let sweep = self.graph().binary(Binary::Less, clockwise.0, clockwise.1);
         let text = Ink::Text;
         let mut arc = fixed("path", &[]);
@@ -162,7 +162,7 @@ impl Builder<'_, '_> {
     /// Point on a circle.
     fn around(&mut self, at: Spot, radius: NodeId, angle: NodeId) -> Spot {
         let (cosine, sine) = self.direction(angle);
-        let framed = self.space.framed;
+        let framed = self.space().framed;
         let graph = self.graph();
         let (x, y) = (graph.multiply(radius, cosine), graph.multiply(radius, sine));
         let y = if framed { graph.negate(y) } else { y };

@@ -16,15 +16,15 @@ impl Builder<'_, '_> {
     pub fn trail(&mut self, given: &Given) -> Option<Drawn> {
         let at = self.point_of(given, "at")?;
         let (last, every) = (self.duration(given, "last")?, self.duration(given, "every")?);
-        if self.trails.len() == TRAILS {
+        if self.trail_count() == TRAILS {
             let message = words!("a scene cannot have more than {TRAILS} trails");
-            self.refuse_at(message, self.place, None);
+            self.refuse_at(message, self.element_place(), None);
             return None;
         }
         let (x, y) = (self.drawing_value(at.x)?, self.drawing_value(at.y)?);
         let mut path = fixed("path", &[("fill", "none"), ("pointer-events", "none")]);
-        path.attributes.push(Attribute { name: "d".to_owned(), value: vec![Piece::Trail(self.trails.len())] });
-        self.trails.push(Trail { x, y, last, every });
+        let trail = self.add_trail(Trail { x, y, last, every });
+        path.attributes.push(Attribute { name: "d".to_owned(), value: vec![Piece::Trail(trail)] });
         let mut defaults = vec![("stroke", ACCENT), ("stroke-linejoin", "round"), ("stroke-linecap", "round")];
         defaults.push(("stroke-width", if every.is_some() { "5" } else { "2" }));
         Some(Drawn { defaults, children: vec![path], anchor: at })
@@ -32,7 +32,7 @@ impl Builder<'_, '_> {
 
     fn drawing_value(&mut self, node: NodeId) -> Option<usize> {
         let value = Compiled { node, unit: Unit::dimensionless(), kind: Kind::Number };
-        self.value(Placed { value, span: self.place })
+        self.value(Placed { value, span: self.element_place() })
     }
 
     /// Index of the value of a duration; `Some(None)` if it is not given.

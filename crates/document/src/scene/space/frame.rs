@@ -22,7 +22,7 @@ struct Axis {
 impl Builder<'_, '_> {
     /// Coordinate system inside a frame. `name` is the place of the element, for errors.
     pub fn frame_space(&mut self, name: Range<usize>, [x, y, place]: [Option<Range<usize>>; 3]) -> Option<Space> {
-        if self.space.framed {
+        if self.space().framed {
             self.refuse(
                 words("a frame cannot stand inside another one"),
                 name,
@@ -53,11 +53,12 @@ impl Builder<'_, '_> {
         };
         let (by_x, by_y) = (scale_of(graph, x, width), scale_of(graph, y, height));
         let scale = graph.binary(Binary::Minimum, by_x, by_y);
-        if x.dimension == Dimension::LENGTH && self.length.is_none() {
-            let graph = self.expressions.graph();
-            let one = graph.constant(1.0);
-            let value = Compiled { node: graph.divide(one, scale), kind: Kind::Number, unit: Unit::si(x.dimension) };
-            self.length = self.value(Placed { value, span: x.span });
+        if x.dimension == Dimension::LENGTH {
+            self.set_length(|graph| {
+                let one = graph.constant(1.0);
+                let node = graph.divide(one, scale);
+                Placed { value: Compiled { node, kind: Kind::Number, unit: Unit::si(x.dimension) }, span: x.span }
+            });
         }
         let graph = self.expressions.graph();
         // The centre of the frame is at the centre of its box.
@@ -120,7 +121,7 @@ impl Builder<'_, '_> {
     fn frame_box(&mut self, place: Option<Range<usize>>, name: Range<usize>) -> Option<[f64; 4]> {
         let (numbers, place) = match place {
             Some(place) => (four_numbers(self.source(&place)), place),
-            None => (self.view_box, name),
+            None => (self.view_box(), name),
         };
         if numbers.is_none() {
             self.refuse(
@@ -139,7 +140,7 @@ impl Builder<'_, '_> {
         let zero = self.graph().constant(0.0);
         let place = match at {
             Some(at) => self.point(at)?,
-            None => self.space.origin,
+            None => self.space().origin,
         };
         let angle = match turn {
             Some(turn) => self.angle(turn)?,
@@ -152,8 +153,8 @@ impl Builder<'_, '_> {
         value.push(Piece::Literal(") rotate(".to_owned()));
         value.push(self.drawn(degrees)?);
         value.push(Piece::Literal(")".to_owned()));
-        self.space.turns.push((place, angle));
-        self.space.origin = Spot { x: zero, y: zero };
+        let inside = self.space().turned(place, angle, Spot { x: zero, y: zero });
+        self.enter_space(inside);
         Some((Attribute { name: "transform".to_owned(), value: super::shapes::merged(value) }, place))
     }
 

@@ -35,7 +35,7 @@ impl Builder<'_, '_> {
             return Some(length);
         }
         let length = self.coordinate(range.clone())?;
-        let space = self.space.clone();
+        let space = self.space().clone();
         let length = space.length(self.graph(), length);
         self.note_number(range.start, length);
         Some(length)
@@ -61,7 +61,7 @@ impl Builder<'_, '_> {
         let (x, y) = self.components(range)?;
         let (x, y) = (self.of_space(x), self.of_space(y));
         let (x, y) = x.zip(y)?;
-        let space = self.space.clone();
+        let space = self.space().clone();
         let spot = space.spot(self.graph(), x, y);
         self.note_spot(place, spot);
         Some(spot)
@@ -72,7 +72,7 @@ impl Builder<'_, '_> {
         let (x, y) = self.components(range)?;
         let (x, y) = (self.of_space(x), self.of_space(y));
         let (x, y) = x.zip(y)?;
-        let space = self.space.clone();
+        let space = self.space().clone();
         Some(space.way(self.graph(), x, y))
     }
 
@@ -80,7 +80,7 @@ impl Builder<'_, '_> {
     pub fn pair(&mut self, pair: &points::Pair) -> Option<Spot> {
         let (x, y) = (self.coordinate(pair.first.clone()), self.coordinate(pair.second.clone()));
         let (x, y) = x.zip(y)?;
-        let space = self.space.clone();
+        let space = self.space().clone();
         Some(space.spot(self.graph(), x, y))
     }
 
@@ -117,13 +117,13 @@ impl Builder<'_, '_> {
 
     /// Requires the dimension of lengths in the current coordinate system; 0 fits every dimension.
     pub fn of_space(&mut self, Placed { value, span }: Placed) -> Option<NodeId> {
-        let expected = self.space.dimension;
+        let expected = self.space().dimension;
         if value.dimension() == expected || self.graph().as_constant(value.node) == Some(0.0) {
             return Some(value.node);
         }
-        let diagnostic = if self.space.framed {
+        let diagnostic = if self.space().framed {
             let message = words("a length in a frame must have the dimension of its axes");
-            dimension_error(message, (span, value.dimension()), (self.space.declared, expected))
+            dimension_error(message, (span, value.dimension()), (self.space().declared, expected))
         } else {
             let message = words("a length in the drawing is a pure number, in units of the `viewBox`");
             dimension_error(message, (span, value.dimension()), (span, expected))

@@ -52,6 +52,12 @@ impl Space {
         }
     }
 
+    /// Coordinate system of a group at `place` in it, rotated clockwise by `angle` (radians), with its own `origin`.
+    pub fn turned(&self, place: Spot, angle: NodeId, origin: Spot) -> Self {
+        let turns = self.turns.iter().copied().chain([(place, angle)]).collect();
+        Self { origin, turns, ..self.clone() }
+    }
+
     /// A length in units of the drawing.
     pub fn length(&self, graph: &mut Graph, length: NodeId) -> NodeId {
         graph.multiply(self.scale, length)

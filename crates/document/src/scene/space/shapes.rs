@@ -131,7 +131,7 @@ impl Builder<'_, '_> {
         let mut number = |name: &str| geometry.get(name).map_or(Some(zero), |range| self.coordinate(range.clone()));
         let (right, up) = (number(x), number(y));
         let (right, up) = right.zip(up)?;
-        let space = self.space.clone();
+        let space = self.space().clone();
         let spot = space.spot(self.graph(), right, up);
         for (name, node) in [(x, spot.x), (y, spot.y)] {
             if let Some(range) = geometry.get(name) {

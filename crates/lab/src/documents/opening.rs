@@ -1,6 +1,6 @@
 //! Opening documents, with the state of the last visit.
 
-use crate::app::{App, Lab};
+use crate::app::{App, Findings, Lab};
 use crate::documents::links::Arrival;
 use crate::documents::stored::VersionTimes;
 use crate::documents::visited::Visited;
@@ -46,8 +46,8 @@ pub fn take_over(app: App, handed: &mut Handed) {
     handed.prepare(app.page);
     let visited = visited::present().filter(|visited| visited.sources == library::home());
     let visited = visited.unwrap_or_else(|| Visited { sources: library::home(), draft: None });
-    let opened = opened(&visited.sources);
-    place_visited(app, visited, opened, |desk, _| {
+    let made = Made::of(app, opened(&visited.sources));
+    place_visited(app, visited, made, |desk, _| {
         handed.continue_in(desk.play_mut());
         None
     });
@@ -56,8 +56,8 @@ pub fn take_over(app: App, handed: &mut Handed) {
 
 /// Opens a document of a history entry, with its draft.
 fn open_visited(app: App, visited: Visited, state: &str) {
-    let opened = opened(&visited.sources);
-    place_opened(app, visited, opened, state);
+    let made = Made::of(app, opened(&visited.sources));
+    place_made(app, visited, made, state);
 }
 
 /// Reads and checks the texts of a document.
@@ -69,26 +69,39 @@ fn opened(sources: &[Source]) -> Opened {
     }
 }
 
-fn place_opened(app: App, visited: Visited, opened: Opened, state: &str) {
-    place_visited(app, visited, opened, |desk, left| {
+/// A document that is read, on a desk of its own that is not shown yet.
+struct Made {
+    /// `None` if the document does not run.
+    desk: Option<Desk>,
+    findings: Findings,
+}
+
+impl Made {
+    fn of(app: App, opened: Opened) -> Self {
+        let mut desk = opened.document.map(Desk::open);
+        if let Some(desk) = &mut desk {
+            desk.set_language(app.language.get_untracked().tag());
+        }
+        Self { desk, findings: opened.diagnostics }
+    }
+}
+
+fn place_made(app: App, visited: Visited, made: Made, state: &str) {
+    place_visited(app, visited, made, |desk, left| {
         let state = if state.is_empty() { left } else { state };
         if state.is_empty() { None } else { restored(desk, state).1 }
     });
 }
 
-/// Places a document that has been opened from the sources of `visited`. `restore` gets the state of the last visit, and returns the text of the refusal, if any.
+/// Places a document that was made from the sources of `visited`. `restore` gets the state of the last visit, and returns the text of the refusal, if any.
 fn place_visited(
     app: App,
     visited: Visited,
-    Opened { document, diagnostics: findings }: Opened,
+    Made { desk, findings }: Made,
     restore: impl FnOnce(&mut Desk, &str) -> Option<String>,
 ) {
     app.with(Lab::ask_for_document);
     let (sources, written_as) = (visited.sources.clone(), write::kept::find(&visited));
-    let mut desk = document.map(Desk::open);
-    if let Some(desk) = &mut desk {
-        desk.set_language(app.language.get_untracked().tag());
-    }
     let closed = app.with(|lab| {
         // If the new document does not run, a button leads back to the last one that did.
         if desk.is_some() {
@@ -192,11 +205,13 @@ pub async fn go_to_in_portions(app: App, sources: Vec<Source>, state: &str) {
     browser::breathe().await;
     let opened = opened(&sources);
     browser::breathe().await;
+    let made = Made::of(app, opened);
+    browser::breathe().await;
     if app.with(|lab| lab.asked_for) != Some(own) {
         return;
     }
     leave(app);
-    place_opened(app, Visited { sources, draft: None }, opened, state);
+    place_made(app, Visited { sources, draft: None }, made, state);
     visited::step(app);
     // Scrolling has the browser lay the page out.
     browser::breathe().await;

@@ -71,7 +71,7 @@ impl Chance {
     }
 }
 
-/// Velocities as computed by tracking programs: central difference of the neighbours, NaN at the ends.
+/// Velocities as computed by tracking programs, one per value, in its unit per unit of the times: central difference of the neighbours, NaN at the ends.
 pub fn tracked_velocities(times: &[f64], values: &[f64]) -> Vec<f64> {
     let inner = times.windows(3).zip(values.windows(3));
     let inner = inner.map(|(time, value)| (value[2] - value[0]) / (time[2] - time[0]));

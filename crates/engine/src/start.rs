@@ -27,7 +27,7 @@ pub(crate) fn check(setup: &Setup, model: &Model) -> Result<(), RunError> {
     };
     Err(RunError::at_start(cause))
 }
-/// Checks that the initial values are finite.
+/// Checks that the initial values, one per state, are finite.
 pub(crate) fn check_initial(initial: &[f64]) -> Result<(), RunError> {
     match initial.iter().position(|value| !value.is_finite()) {
         None => Ok(()),

@@ -122,7 +122,7 @@ pub struct Laboratory {
     pub record_refusal: Signal<Option<String>>,
     /// True until the guided start has been begun or declined on the first visit.
     pub is_first_visit: Signal<bool>,
-    /// What the guided start asks for, `None` while there is none.
+    /// Action that the guided start asks for, `None` while there is none.
     pub guide: Signal<Option<Step>>,
     /// True while the list of documents is open.
     pub library_asked_for: Signal<bool>,

@@ -148,7 +148,7 @@ impl Pages {
     }
 }
 
-/// What the script of a document's page needs. `address`: the server, empty for its own pages.
+/// Settings for the script of a document's page. `address`: the server, empty for its own pages.
 fn config(document: &Document, address: &str, code: &str) -> Value {
     json!({
         "document": document.name, "title": document.title, "seats": document.has_seats, "server": address, "code": code,

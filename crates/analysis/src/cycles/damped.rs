@@ -76,7 +76,7 @@ fn project(points: Points, basis: &[(f64, f64)]) -> Option<([f64; 3], f64)> {
 }
 
 impl Damped {
-    /// Best curve of this frequency and damping.
+    /// Best curve of this angular frequency `w` and damping `g` (1/s, if times are in s), with its origin at the time `origin`.
     pub fn of(points: Points, origin: f64, w: f64, g: f64, scratch: &mut Vec<(f64, f64)>) -> Option<Self> {
         basis(points, origin, w, g, scratch);
         let (linear, squares) = project(points, scratch)?;
@@ -186,7 +186,7 @@ impl Damped {
         Some(covariance)
     }
 
-    /// Amplitude at the origin.
+    /// Amplitude at the origin, in the unit of the values.
     pub fn amplitude(&self) -> f64 {
         libm::hypot(self.linear[0], self.linear[1])
     }

@@ -95,7 +95,7 @@ fn from_crossings(points: Points, mean: f64) -> Option<(f64, f64)> {
     Some((core::f64::consts::PI / half, damping(&found)))
 }
 
-/// Correction of the middle level: a quarter of the sum of an extreme, twice the next, and the one after that, averaged
+/// Correction of the middle level, in the unit of the values: a quarter of the sum of an extreme, twice the next, and the one after that, averaged
 /// over the first few.
 pub(super) fn centre(found: &Swings) -> Option<f64> {
     let whole: Vec<f64> = found.lobes.iter().filter(|lobe| !lobe.cut).map(|lobe| lobe.height).take(8).collect();

@@ -51,7 +51,7 @@ pub(super) fn correlated_scatter(values: &[f64], rho: f64) -> f64 {
     if scatter.is_finite() { scatter } else { 0.0 }
 }
 
-/// Crossings of `middle`. A value within `threshold` of it has not crossed yet, so that noise makes no crossings.
+/// Crossings of `middle`. A value within `threshold` of it (both in the unit of the values) has not crossed yet, so that noise makes no crossings.
 pub(super) fn swings(points: Points, middle: f64, threshold: f64) -> Swings {
     let mut swings = Swings::default();
     let last = points.values.len().saturating_sub(1);

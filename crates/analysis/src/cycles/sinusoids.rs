@@ -81,7 +81,7 @@ fn variances(blocks: &[Block], rho: f64) -> Vec<f64> {
     own.iter().zip(&freedoms).map(|(own, freedom)| (freedom * own + worth * common) / (freedom + worth)).collect()
 }
 
-/// Windows about the turning points of a record, from a damped sinusoid close to it.
+/// Windows about the turning points of a record of `times` (s) and as many `values`, from a damped sinusoid close to it.
 pub(super) fn windows<'a>(times: &'a [f64], values: &'a [f64], estimate: &Estimate) -> Option<Windows<'a>> {
     let (first, last) = (*times.first()?, *times.last()?);
     let mut windows: Vec<Window> = Vec::new();

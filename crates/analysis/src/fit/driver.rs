@@ -190,7 +190,7 @@ impl Fit {
         self.course.improved
     }
 
-    /// Restarts from `x`, an answer with a lower sum of squares, and runs to the end.
+    /// Restarts from `x` (the varied numbers and the scales, SI), an answer with a lower sum of squares, and runs to the end.
     pub(super) fn go_to(&mut self, x: &[f64]) {
         self.course.improved += 1;
         self.course.finished = false;

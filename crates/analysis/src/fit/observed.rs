@@ -62,7 +62,7 @@ impl ObservationFit {
         Outside { n: part.len(), rmse: (squares / part.len().max(1) as f64).sqrt() }
     }
 
-    /// Measured minus fitted in the fitted part.
+    /// Measured minus fitted (SI), one per value of the fitted part.
     pub(super) fn inside_residuals(&self) -> Vec<f64> {
         self.residuals_where(|_, inside| inside)
     }

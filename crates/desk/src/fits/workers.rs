@@ -35,7 +35,7 @@ pub struct FitWork {
 }
 
 impl FitWork {
-    /// Work of a task that the model can be fitted to.
+    /// Work of a task that the model can be fitted to. `known`: its answer, SI, one number per varied one.
     pub(crate) fn new(model: Model, task: Task, known: Option<Vec<f64>>) -> Self {
         Self { model, task, known }
     }

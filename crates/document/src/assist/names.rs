@@ -50,7 +50,7 @@ pub struct Declared<'a> {
     pub name: &'a str,
     /// Its place, without primes and indices.
     pub span: Span,
-    /// What it is.
+    /// Description in words.
     pub what: Words,
     /// Label of the statement.
     pub label: Option<&'a str>,

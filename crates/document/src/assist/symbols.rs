@@ -40,7 +40,7 @@ pub struct Symbol {
     pub span: Span,
     /// Place of the name, inside of it.
     pub named: Span,
-    /// What it contains, in text order.
+    /// Symbols inside it, in text order.
     pub children: Vec<Symbol>,
 }
 

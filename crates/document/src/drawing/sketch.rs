@@ -108,7 +108,7 @@ impl Sketch {
         Some(Self { drawing, model, nodes, places, ground })
     }
 
-    /// Coordinate system for new elements, from the values of [`Self::nodes`].
+    /// Coordinate system for new elements, from the values of [`Self::nodes`], one each.
     pub fn ground(&self, values: &[f64]) -> Ground {
         let value = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
         match &self.ground {
@@ -125,7 +125,7 @@ impl Sketch {
         }
     }
 
-    /// Place of an element, from the values of [`Self::nodes`]. `None` if the element is not in the picture.
+    /// Place of an element, from the values of [`Self::nodes`], one each. `None` if the element is not in the picture.
     pub fn locate(&self, number: usize, values: &[f64]) -> Option<Located> {
         let (place, item) = (self.places.get(number)?, self.drawing.items.get(number)?);
         if place.paths.is_empty() {

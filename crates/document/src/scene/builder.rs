@@ -161,7 +161,7 @@ impl Builder<'_, '_> {
         self.language
     }
 
-    /// Sets the view box of the drawing, if it is known: left, top, width and height.
+    /// Sets the view box of the drawing, if it is known: left, top, width and height, in units of the drawing.
     pub fn set_view_box(&mut self, view_box: Option<[f64; 4]>) {
         self.view_box = view_box;
     }

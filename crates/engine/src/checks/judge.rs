@@ -100,7 +100,7 @@ impl Judge {
         self.when == When::Always && time <= end + rounding(end)
     }
 
-    /// The moment of the claim if it is reached and not yet judged.
+    /// The moment of the claim (SI) if it is reached and not yet judged.
     pub fn is_due(&self, time: f64) -> Option<f64> {
         match self.when {
             When::At(moment) if !self.met && time + rounding(moment) >= moment => Some(moment),

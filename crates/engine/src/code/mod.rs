@@ -66,7 +66,7 @@ impl Code {
         }
     }
 
-    /// Copies the values of the roots to `out`.
+    /// Copies the values of the roots to `out`, one per root.
     #[inline]
     pub fn copy_roots(&self, out: &mut [f64]) {
         if self.rows.is_empty() {

@@ -73,7 +73,7 @@ impl Routine {
         });
     }
 
-    /// [`Routine::evaluate`] with a state that `set` writes directly into the registers; this avoids a copy between the
+    /// [`Routine::evaluate`] at `time` (SI) with a state that `set` writes directly into the registers; this avoids a copy between the
     /// stages of a method.
     #[inline]
     pub(crate) fn evaluate_at(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {

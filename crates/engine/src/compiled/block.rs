@@ -35,7 +35,7 @@ impl Block {
         self.ahead = Ahead::default();
     }
 
-    /// Makes one step of a fixed-step method.
+    /// Makes one step of a fixed-step method: from the state `from` at `time` (SI) over `size` (SI) to the state `to`.
     pub fn step(&mut self, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
         self.ahead = Ahead::default();
         self.run([time, 1.0, size], from, 1);
@@ -78,7 +78,7 @@ impl Block {
         last.copy_from_slice(self.states(layout.last_rates()));
     }
 
-    /// Coefficients of the continuous solution over the step of the last attempt.
+    /// Coefficients of the continuous solution over the step of the last attempt: five lists of one per state.
     pub fn dense(&self, coefficients: &mut [Vec<f64>; 5]) {
         for (degree, coefficients) in coefficients.iter_mut().enumerate() {
             coefficients.copy_from_slice(self.states(self.layout.dense(degree)));

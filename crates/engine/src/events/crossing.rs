@@ -10,7 +10,7 @@ pub(crate) struct Crossing {
 }
 
 impl Crossing {
-    /// Bisects between `low`, where the event has not happened, and `high`, where it has; both are non-negative.
+    /// Bisects between the moments `low`, where the event has not happened, and `high`, where it has; both are SI and non-negative.
     pub fn find(low: f64, high: f64, mut happened: impl FnMut(f64) -> bool) -> Self {
         // Non-negative numbers are ordered like their bits; bisection of the bits ends at neighbours after at most 63
         // halvings.

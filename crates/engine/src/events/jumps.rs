@@ -44,12 +44,12 @@ impl Jumps {
         self.sensitivities.iter_mut().for_each(|routine| routine.prepare(parameters, initial));
     }
 
-    /// Computes the derivatives of the moments of all events with respect to the parameters, at the state `before` them.
+    /// Computes the derivatives of the moments of all events with respect to the parameters, at `time` (SI) and the state `before` them, with its sensitivities.
     pub fn measure_delays(&mut self, time: f64, before: &[f64]) {
         self.delays.evaluate(time, before, &mut self.delay_values);
     }
 
-    /// Replaces the sensitivities in `state` by those after one event, before its actions set the other states. If the
+    /// Replaces the sensitivities in `state` by those after one event at `time` (SI), before its actions set the other states. If the
     /// motion `crossed` the condition, the event has its own moment; if the jump of another event made it due, it has the
     /// moment of that event, used last.
     pub fn carry(&mut self, event: usize, crossed: bool, time: f64, state: &mut [f64]) {

@@ -98,7 +98,7 @@ impl Looks {
         })
     }
 
-    /// Sets parameters, followed by the held values of the switches, and initial values.
+    /// Sets parameters (SI), followed by the held values of the switches, and initial values (SI, one per state).
     pub fn prepare(&mut self, parameters: &[f64], initial: &[f64]) {
         for routine in [&mut self.values, &mut self.slopes, &mut self.motion] {
             routine.prepare(parameters, initial);

@@ -103,7 +103,7 @@ impl Events {
         }
     }
 
-    /// Arms the events whose conditions are false at the initial state.
+    /// Arms the events whose conditions are false at the initial state (SI) and its `time` (SI).
     pub fn arm(&mut self, time: f64, state: &[f64]) {
         self.due(time, state);
         self.pass();
@@ -154,7 +154,7 @@ impl Events {
         self.first_due().is_some()
     }
 
-    /// The state after the last jump.
+    /// The state after the last jump: SI, one value per state.
     pub fn after(&self) -> &[f64] {
         &self.after
     }
@@ -171,7 +171,7 @@ impl Events {
         self.act(time)
     }
 
-    /// Runs the actions of one event on the state `before`, after a press of its button.
+    /// Runs the actions of one event on the state `before` at `time` (both SI), after a press of its button.
     pub fn fire_one(&mut self, event: usize, equations: &mut Equations, time: f64, before: &[f64]) -> usize {
         self.due.iter_mut().enumerate().for_each(|(number, due)| *due = number == event);
         let fired = self.fire(equations, time, before);

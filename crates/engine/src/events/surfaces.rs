@@ -49,7 +49,7 @@ impl Surfaces {
         self.timetable.prepare(parameters, initial);
     }
 
-    /// Sets parameters and initial values of the search within a step, with the held values of the switches.
+    /// Sets parameters and initial values (SI) of the search within a step, with the held values of the switches.
     pub fn prepare_looks(&mut self, parameters: &[f64], initial: &[f64]) {
         if let Some(looks) = &mut self.looks {
             looks.prepare(&[parameters, self.switches.held()].concat(), initial);
@@ -170,17 +170,17 @@ impl Surfaces {
         crossing
     }
 
-    /// Evaluates the terms for the jump of the sensitivities at the state before the crossing found last.
+    /// Evaluates the terms for the jump of the sensitivities at `time` (SI) and the state before the crossing found last.
     pub fn approach(&mut self, equations: &mut Equations, time: f64) {
         self.switches.approach(equations, time, &self.before);
     }
 
-    /// State at the moment found last, before the crossing.
+    /// State at the moment found last, before the crossing: SI, one value per state.
     pub fn before(&self) -> &[f64] {
         &self.before
     }
 
-    /// State right after the crossing, without the actions of events.
+    /// State right after the crossing, without the actions of events: SI, one value per state.
     pub fn beyond(&self) -> &[f64] {
         &self.beyond
     }

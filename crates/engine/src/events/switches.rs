@@ -71,7 +71,7 @@ impl Switches {
         &self.held
     }
 
-    /// True if the value of a switch differs from its held value.
+    /// True if the value of a switch at `time` and `state` (SI) differs from its held value.
     pub fn differ(&mut self, time: f64, state: &[f64]) -> bool {
         let Some(truths) = &mut self.truths else { return false };
         self.looks += 1;
@@ -89,7 +89,7 @@ impl Switches {
         jumped
     }
 
-    /// Computes the delays and rates at the state `before` a switch; [`Switches::carry`] needs them.
+    /// Computes the delays and rates at `time` (SI) and the state `before` a switch; [`Switches::carry`] needs them.
     pub fn approach(&mut self, equations: &mut Equations, time: f64, before: &[f64]) {
         if let Some(Delays { routine, values, rates, .. }) = &mut self.sensitive {
             routine.evaluate(time, before, values);
@@ -97,7 +97,7 @@ impl Switches {
         }
     }
 
-    /// Applies the jump of the sensitivities in `state` at the switch `changed`, the first that changes. With the
+    /// Applies the jump of the sensitivities in `state` (SI) at the switch `changed`, the first that changes. With the
     /// derivative tau' of its moment by the parameter: s+ = s + (f - f+) tau', where f and f+ are the rates before and
     /// after it.
     pub fn carry(&mut self, equations: &mut Equations, time: f64, changed: usize, state: &mut [f64]) {

@@ -53,7 +53,7 @@ impl Timetable {
         self.routine.is_empty()
     }
 
-    /// First moment from which on a change may have been missed.
+    /// First moment (SI) from which on a change may have been missed.
     pub fn doubt(&self) -> Option<f64> {
         self.doubt
     }

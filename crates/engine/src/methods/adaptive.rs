@@ -160,7 +160,7 @@ impl Adaptive {
         self.last.end
     }
 
-    /// State at the end of the last step.
+    /// State at the end of the last step: SI, one value per state.
     pub fn end_state(&self) -> &[f64] {
         &self.last.to
     }
@@ -254,7 +254,7 @@ impl Adaptive {
         surfaces.locate(start, (low, high), expected, |since, out| self.dense(since, out))
     }
 
-    /// Result of the last attempted step.
+    /// Result of the last attempted step: SI, one value per state.
     pub fn attempt(&self) -> &[f64] {
         &self.attempt
     }

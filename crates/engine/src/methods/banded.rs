@@ -81,7 +81,7 @@ impl Banded {
         }
     }
 
-    /// Replaces the right-hand side by the solution, or by NaN if the matrix is singular.
+    /// Replaces the right-hand side, one number per row, by the solution, or by NaN if the matrix is singular.
     pub fn solve(&self, right: &mut [f64]) {
         if self.singular {
             right.fill(f64::NAN);

@@ -18,7 +18,7 @@ impl Cubic {
         Self { start: values[0], change, leaving, arriving }
     }
 
-    /// Value at `part`, 0 to 1.
+    /// Value at `part` of the interval, 0 to 1.
     pub fn at(&self, part: f64) -> f64 {
         let rest = 1.0 - part;
         let bend = rest * (self.leaving - self.change) - part * (self.arriving - self.change);
@@ -47,7 +47,7 @@ impl Cubic {
         (knots, count + 1)
     }
 
-    /// Minimum and maximum on the interval.
+    /// Minimum and maximum on the interval, in the unit of the values.
     pub fn range(&self) -> (f64, f64) {
         let (knots, count) = self.knots();
         let values = knots.iter().take(count).map(|&knot| self.at(knot));

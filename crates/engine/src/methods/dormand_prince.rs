@@ -56,7 +56,7 @@ impl DormandPrince {
         error.iter_mut().for_each(|error| *error *= size);
     }
 
-    /// Coefficients of the dense output of the last step, from `from` to `to`.
+    /// Coefficients of the dense output of the last step of `size` (SI), from the state `from` to `to`: five lists of one per state.
     pub fn dense(&self, size: f64, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
         let [c_0, c_1, c_2, c_3, c_4] = coefficients;
         for k in 0..from.len() {

@@ -92,7 +92,7 @@ impl Equations {
         }
     }
 
-    /// Evaluates f with states and rates in the order of [`Equations::order`]; `set` writes the state.
+    /// Evaluates f at `time` (SI) with states and rates in the order of [`Equations::order`]; `set` writes the state.
     #[inline]
     pub fn ordered_rates(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {
         self.evaluations += 1;

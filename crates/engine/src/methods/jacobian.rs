@@ -36,7 +36,7 @@ impl Jacobian {
         });
     }
 
-    /// Replaces the right-hand side by the solution.
+    /// Replaces the right-hand side, one number per state, by the solution.
     pub fn solve(&mut self, values: &mut [f64]) {
         self.0.solve(values);
     }

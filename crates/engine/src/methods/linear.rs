@@ -50,7 +50,7 @@ impl Factors {
         }
     }
 
-    /// Replaces the right-hand side by the solution, or by NaN if the matrix is singular.
+    /// Replaces the right-hand side, one number per row, by the solution, or by NaN if the matrix is singular.
     pub fn solve(&self, right: &mut [f64]) {
         let size = self.exchanged.len();
         if self.singular {

@@ -64,7 +64,7 @@ pub(crate) struct Method {
 }
 
 impl Method {
-    /// Greatest violation of the conditions of `order` for the solution at `part` of the step.
+    /// Greatest violation of the conditions of `order` for the solution at `part` of the step, 0 to 1.
     pub fn residual(&self, order: usize, part: f64) -> f64 {
         let power = (0..order).fold(1.0, |power, _| power * part);
         let mut greatest = 0.0_f64;

@@ -146,7 +146,7 @@ impl Rosenbrock {
         }
     }
 
-    /// Coefficients of the dense output of the last step, in the form of [`super::dormand_prince::dense_value`].
+    /// Coefficients of the dense output of the last step, one per state, in the form of [`super::dormand_prince::dense_value`].
     pub fn dense(&self, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
         let [c_0, c_1, c_2, c_3, c_4] = coefficients;
         for k in 0..from.len() {

@@ -72,7 +72,7 @@ impl Sparse {
         }
     }
 
-    /// Replaces the right-hand side by the solution, or by NaN if the matrix is singular.
+    /// Replaces the right-hand side, one number per row, by the solution, or by NaN if the matrix is singular.
     pub fn solve(&mut self, values: &mut [f64]) {
         match &mut self.form {
             Form::Dense(factors) => factors.solve(values),

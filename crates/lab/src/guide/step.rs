@@ -8,7 +8,7 @@ const DAMPING: &str = "b";
 /// Least time (s) at which a paused run shows a whole period.
 const PERIOD: f64 = 1.0;
 
-/// What the visitor is asked to do next.
+/// Next action that the visitor is asked for.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Step {
     /// Lift the liquid by hand.

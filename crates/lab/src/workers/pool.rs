@@ -35,7 +35,7 @@ pub struct Pool {
     /// Called when something has been heard.
     wake: Option<Rc<dyn Fn()>>,
     members: Vec<Member>,
-    /// What the workers have reported, until it is read.
+    /// Reports of the workers that are not read yet.
     inbox: Rc<RefCell<VecDeque<Report>>>,
     /// Number of members so far; it names the next one.
     started: u32,
@@ -59,7 +59,7 @@ struct Member {
     _calls: [Closure<dyn FnMut(JsValue)>; 2],
 }
 
-/// What is heard of an order.
+/// Message of a worker about an order.
 pub enum Heard {
     /// An answer. The worker keeps the order until [`Pool::finish`].
     Answer(Vec<u8>),
@@ -131,7 +131,7 @@ impl Pool {
         !self.inbox.borrow().is_empty()
     }
 
-    /// What was heard since the last call, in the order of time, with the numbers of the orders.
+    /// Messages since the last call, in the order of time, with the numbers of the orders.
     pub fn hear(&mut self) -> Vec<(u32, Heard)> {
         let mut all = Vec::new();
         let inbox = std::mem::take(&mut *self.inbox.borrow_mut());

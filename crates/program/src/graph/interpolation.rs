@@ -66,7 +66,7 @@ impl Interpolation {
         Self::through(points, 0, |piece| [piece.from, 0.0, 0.0, 0.0])
     }
 
-    /// Piecewise linear. `None` as for [`Self::steps`].
+    /// Piecewise linear through the points (argument and value, SI). `None` as for [`Self::steps`].
     pub fn linear(points: &[[f64; 2]]) -> Option<Self> {
         Self::through(points, 1, |piece| [piece.from, (piece.to - piece.from) / piece.size, 0.0, 0.0])
     }

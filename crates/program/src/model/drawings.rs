@@ -8,14 +8,14 @@ impl Model {
         self.tables.iter().filter_map(|table| Some(table.drawn.as_ref()?.values.clone())).collect()
     }
 
-    /// True if `drawings` has valid values for all curves that the reader draws.
+    /// True if `drawings` has valid values (SI) for all curves that the reader draws: one list each.
     pub fn takes_drawings(&self, drawings: &[Vec<f64>]) -> bool {
         let mut drawn = self.tables.iter().filter_map(|table| table.drawn.as_ref());
         drawn.clone().count() == drawings.len()
             && drawings.iter().all(|values| drawn.next().is_some_and(|own| own.takes(values)))
     }
 
-    /// The model with these curves in place of the present ones; `None` if they are the present ones or are not valid.
+    /// The model with these curves (SI values, one list each) in place of the present ones; `None` if they are the present ones or are not valid.
     pub fn with_drawings(&self, drawings: &[Vec<f64>]) -> Option<Model> {
         if !self.takes_drawings(drawings) || self.drawings() == drawings {
             return None;

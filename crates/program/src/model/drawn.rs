@@ -30,7 +30,7 @@ impl Drawn {
         if point == last { self.until } else { self.from + (self.until - self.from) * (point as f64 / last as f64) }
     }
 
-    /// True if these are valid values: one per point, within the range.
+    /// True if these are valid values: one per point, SI, within the range.
     pub fn takes(&self, values: &[f64]) -> bool {
         values.len() == Self::POINTS && values.iter().all(|value| (self.low..=self.high).contains(value))
     }
@@ -41,7 +41,7 @@ impl Drawn {
         finite && self.low < self.high && self.from < self.until && self.takes(&self.values)
     }
 
-    /// The curve with these values; `None` if it cannot be built from them.
+    /// The curve with these values (SI, one per point); `None` if it cannot be built from them.
     pub fn curve(&self, values: &[f64]) -> Option<Interpolation> {
         let points: Vec<[f64; 2]> =
             values.iter().enumerate().map(|(point, &value)| [self.argument(point), value]).collect();

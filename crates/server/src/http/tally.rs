@@ -62,7 +62,7 @@ impl Tallies {
 }
 
 impl Tally {
-    /// What a student may see: numbers if the teacher shows results, and answers of others to questions that the student has
+    /// Answers that a student may see: numbers if the teacher shows results, and answers of others to questions that the student has
     /// answered.
     pub fn for_student(&self, seat: u32, settings: &Settings) -> Value {
         let own = self.0.iter().filter(|(_, answers)| answers.contains_key(&seat));

@@ -43,7 +43,7 @@ pub(crate) struct Judged<'a> {
 }
 
 impl Judged<'_> {
-    /// Finds the outliers. `residuals` become those of the fit without them.
+    /// Finds the outliers. `residuals`, weighted, one per fitted value, become those of the fit without them.
     pub fn outliers(&self, residuals: &mut [f64]) -> Vec<Off> {
         let mut removal = Removal::new(self.basis, residuals.len());
         let mut off = Vec::new();

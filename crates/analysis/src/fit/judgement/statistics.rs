@@ -13,7 +13,7 @@ pub fn durbin_watson(series: &[&[f64]]) -> f64 {
     if squares > 0.0 { differences / squares } else { 2.0 }
 }
 
-/// Correlation of each residual with the one before.
+/// Correlation of each residual with the one before, from -1 to 1. `series`: the residuals of each record, in the order of time.
 pub fn autocorrelation(series: &[&[f64]]) -> f64 {
     let (mut products, mut squares) = (0.0, 0.0);
     for residuals in series {

@@ -140,7 +140,7 @@ impl Stages {
         Some(Current::whole(problem, search, false))
     }
 
-    /// Search over a part of the records; `windows` follow it.
+    /// Search over a part of the records from `start` (SI, one number per column); `windows` follow it.
     pub fn window(&self, problem: &mut Problem, start: &[f64], span: Span, windows: Vec<Span>) -> Current {
         let plans = Arc::new(start::cut(&problem.plans, span.duration));
         let limit = if windows.is_empty() { TRIALS } else { Self::WINDOW_TRIALS };

@@ -44,7 +44,7 @@ pub(crate) fn estimates(problem: &Problem) -> Vec<Option<Estimate>> {
         .collect()
 }
 
-/// Start for a formula, from the estimated oscillation of each record. `None` for equations of motion, or if the start does
+/// Start for a formula (SI, one number per column), from the estimated oscillation of each record. `None` for equations of motion, or if the start does
 /// not differ from the own values.
 pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate>]) -> Option<Vec<f64>> {
     if problem.curve.has_states() {

@@ -27,12 +27,12 @@ impl Residuals for Window<'_> {
 }
 
 impl Window<'_> {
-    /// Search from `start`, of at most `limit` trials.
+    /// Search from `start` (SI, one number per column), of at most `limit` trials.
     pub fn search(&mut self, start: &[f64], limit: usize) -> Search {
         self.search_within(start, self.problem.bounds.clone(), limit)
     }
 
-    /// Search from `start` with the given bounds.
+    /// Search from `start` with the given bounds (SI, one number and one pair per column).
     pub fn search_within(&mut self, start: &[f64], bounds: Vec<(f64, f64)>, limit: usize) -> Search {
         let points: usize = self.plans.iter().map(|plan| plan.points.len()).sum();
         let rows = points + self.problem.scales();

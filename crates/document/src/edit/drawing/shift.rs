@@ -222,7 +222,7 @@ impl Changes<'_> {
 }
 
 impl Measure {
-    /// Text of a point.
+    /// Text of a point in the units in which the element states its points.
     pub(super) fn point(&self, [x, y]: [f64; 2]) -> String {
         format!("({}, {})", self.moved("0", x), self.moved("0", y))
     }

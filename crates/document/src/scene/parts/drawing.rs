@@ -62,7 +62,7 @@ pub fn holding(mut element: Element, children: Vec<Element>) -> Element {
 }
 
 impl Builder<'_, '_> {
-    /// A constant node.
+    /// Node of a constant, in units of the drawing.
     pub fn constant(&mut self, value: f64) -> NodeId {
         self.graph().constant(value)
     }

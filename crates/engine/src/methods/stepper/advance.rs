@@ -135,7 +135,7 @@ impl Stepper {
         Ok(true)
     }
 
-    /// Lets a press act, or makes one step towards `target`, which ends early at an event, a switch or the next press.
+    /// Lets a press act, or makes one step towards the moment `target` (SI), which ends early at an event, a switch or the next press.
     pub(super) fn advance_once(&mut self, target: f64, record: &mut impl Record) -> Result<(), RunError> {
         if self.press(record)? {
             return Ok(());

@@ -7,7 +7,7 @@ use crate::compiled::listing::{Interpreted, Listing};
 use std::rc::Rc;
 
 impl Stepper {
-    /// Moves to the next grid point, at `target`, if its state is computed already or in advance and nothing can happen on
+    /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or in advance and nothing can happen on
     /// the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, or
     /// if the state is not finite there.
     #[inline]

@@ -33,7 +33,7 @@ impl Stepper {
         self.resume(0.0, initial, parameters, None);
     }
 
-    /// Continues from another moment. `after` has the additional data if the state has just jumped.
+    /// Continues from another moment (SI). `after` has the additional data if the state has just jumped.
     pub(crate) fn resume(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, after: Option<&AfterJump>) {
         self.stand_at(time, state, parameters, after.map(|after| after.presses));
         self.restart();

@@ -18,6 +18,7 @@ const STUDENT: &str = concat!(
     include_str!("pages/bar.js"),
     include_str!("pages/parts.js"),
     include_str!("pages/stream.js"),
+    include_str!("pages/outbox.js"),
     include_str!("pages/student.js")
 );
 /// Script of the teacher's page.

@@ -5,15 +5,15 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { temporary } from "../lab.mjs";
+import { eventually, temporary } from "../lab.mjs";
 import { Proxy, answer, join, school, shows, start, status, stored, teach } from "./class.mjs";
 
 const { visitor, faults } = school();
 
-/** A test with a class of its own. `proxy` puts a proxy before the server. */
-const lesson = (title, does) =>
+/** A test with a class of its own. `proxy` puts a proxy before the server, `what` names the documents. */
+const lesson = (title, does, what) =>
   test(title, async () => {
-    const server = await start();
+    const server = await start({ what });
     const proxies = [];
     const proxy = async (options) => {
       proxies.push(await Proxy.before(server.port, options));
@@ -118,6 +118,38 @@ lesson("a tab is killed while it sends, before the server has stored the part an
   }
 });
 
+lesson("two tabs of a seat add to one outbox at the same moment: both parts are handed in", async (server) => {
+  const one = await visitor();
+  await join(one, server.code, `${server.base}${DOCUMENT}`);
+  const other = await one.context().newPage();
+  await other.goto(`${server.base}/d/pendulum.md`);
+  await status(other, /^Nothing is handed in/);
+  await one.context().setOffline(true);
+  // Another process sees what this one stores a little later: until `late` ends, this tab sees the storage as it was.
+  await one.evaluate(() => {
+    const before = { ...localStorage };
+    const { getItem, removeItem } = Storage.prototype;
+    const whole = window.localStorage;
+    Storage.prototype.getItem = (key) => before[key] ?? null;
+    Object.defineProperty(window, "localStorage", { configurable: true, get: () => new Proxy(whole, {
+      ownKeys: () => Object.keys(before),
+      get: (_, name) => (typeof whole[name] === "function" ? whole[name].bind(whole) : whole[name]),
+    }) });
+    window.late = () => {
+      Object.assign(Storage.prototype, { getItem, removeItem });
+      Object.defineProperty(window, "localStorage", { configurable: true, get: () => whole });
+    };
+  });
+  await answer(other, "1.5");
+  await status(other, /not handed in yet/);
+  await answer(one, "0.71");
+  const waiting = () => Object.entries(localStorage).filter(([key]) => key.includes(":waiting:")).map(([, text]) => text);
+  await eventually(async () => assert.match((await other.evaluate(waiting)).join(), /0\.71/));
+  await one.evaluate(() => window.late());
+  await one.context().setOffline(false);
+  for (const tab of [one, other]) await status(tab, /^Everything is handed in/);
+  assert.deepEqual((await answers(one, server)).toSorted(), ["0.71", "1.5"]);
+}, ["simulations/utube.md", "simulations/pendulum.md"]);
 
 lesson("the teacher's computer sleeps while students go on; when it wakes, the dashboard shows all without a reload", async (server, proxy) => {
   const between = await proxy();

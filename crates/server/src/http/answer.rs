@@ -55,7 +55,7 @@ impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Self {
         match fault {
             Fault::Taken(highest) => Self { highest: Some(highest), ..refuse(StatusCode::CONFLICT, "taken") },
-            Fault::SeatFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "full"),
+            Fault::SeatFull | Fault::SheetsFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "full"),
             Fault::Missing => refuse(StatusCode::NOT_FOUND, "missing"),
             Fault::Away(_) => refuse(StatusCode::SERVICE_UNAVAILABLE, "store"),
             Fault::Unwritable(_) | Fault::NoStore(_) => refuse(StatusCode::INSUFFICIENT_STORAGE, "store"),

@@ -5,26 +5,8 @@
   const { config, words, make, button, bar } = classBar;
   const server = config.server || location.origin;
 
-  // Storage of the browser; without it, everything lives as long as the page.
-  const memory = {};
-  let stores = true;
-  const PREFIX = `meniscus-class:${server}:`;
-  const load = (key, otherwise) => {
-    try {
-      const text = localStorage.getItem(PREFIX + key);
-      if (text !== null) return JSON.parse(text);
-    } catch { stores = false; }
-    return key in memory ? memory[key] : otherwise;
-  };
-  const keep = (key, value) => {
-    memory[key] = value;
-    try { localStorage.setItem(PREFIX + key, JSON.stringify(value)); delete memory[key]; stores = true; }
-    catch {
-      // A text that is outdated must not win over the one in memory.
-      try { localStorage.removeItem(PREFIX + key); } catch { /* Nothing is stored. */ }
-      stores = false;
-    }
-  };
+  const storage = classStorage(server);
+  const { load, keep } = storage;
 
   // The file for a class has the seat of the student who has saved it.
   let seat = load("seat", config.own);
@@ -49,27 +31,8 @@
   };
   const why = async (response) => { try { return (await response.json()).why || ""; } catch { return ""; } };
 
-  // Outbox: parts with their numbers. A part that waits is replaced by a later form of it.
   const put = (text) => {
-    const known = load("known", {});
-    const waiting = load("waiting", []);
-    let seq = Math.max(load("seq", 0), ...waiting.map((one) => one.seq));
-    let changed = false;
-    const own = (part) => (one) => one.document === config.document && one.part === part;
-    for (const [part, value] of parts(text)) {
-      const key = `${config.document}\n${part}`;
-      const stamp = hash(value);
-      if (known[key] === stamp || (part === "head" && !changed && key in known)) continue;
-      known[key] = stamp;
-      changed = true;
-      const before = waiting.findIndex(own(part));
-      if (before >= 0) waiting.splice(before, 1);
-      waiting.push({ seq: ++seq, document: config.document, part, value });
-    }
-    if (!changed) return;
-    keep("seq", seq);
-    keep("waiting", waiting);
-    keep("known", known);
+    if (!storage.put(config.document, parts(text), hash)) return;
     show();
     send();
   };
@@ -84,7 +47,7 @@
   };
   const send = async () => {
     clearTimeout(timer);
-    const waiting = load("waiting", []);
+    const waiting = storage.waiting();
     if (sending || !seat || !waiting.length) return;
     sending = true;
     let size = 0;
@@ -95,17 +58,12 @@
       const response = await ask("/api/events", { body, token: seat.token });
       if (response.ok) {
         const { highest } = await response.json();
-        const isIn = (one) => batch.some((sent) => sent.seq === one.seq && sent.part === one.part && sent.document === one.document);
-        const left = load("waiting", []).filter((one) => !isIn(one));
-        keep("seq", Math.max(load("seq", 0), highest));
-        keep("waiting", left);
+        storage.acknowledge(batch, highest);
         [problem, pause] = ["", FIRST];
-        if (left.length) timer = setTimeout(send, 0);
+        if (storage.waiting().length) timer = setTimeout(send, 0);
       } else if (response.status === 409) {
         // Another device of this seat has used the numbers.
-        let seq = Math.max(load("seq", 0), (await response.json()).highest);
-        keep("waiting", load("waiting", []).map((one) => ({ ...one, seq: ++seq })));
-        keep("seq", seq);
+        storage.renumber((await response.json()).highest);
         timer = setTimeout(send, 0);
       } else if (response.status === 401) {
         leave(words().token);
@@ -160,22 +118,21 @@
 
   // Answers to a survey go at a random time within ten minutes, without the seat.
   const sheet = (text) => {
-    const sheets = load("sheets", {});
-    if (sheets[config.document]?.sent) return;
+    const key = `sheet:${config.document}`;
+    if (load(key, null)?.sent) return;
     // The server knows by the number that it has the answers already, when they are sent again because its reply was lost.
     const id = crypto.getRandomValues(new Uint32Array(4)).join("-");
-    sheets[config.document] = { text, id, due: Date.now() + 60000 + Math.random() * 540000 };
-    keep("sheets", sheets);
+    keep(key, { text, id, due: Date.now() + 60000 + Math.random() * 540000 });
     said = words().sheet;
     show();
   };
   setInterval(async () => {
-    const sheets = load("sheets", {});
-    for (const [name, one] of Object.entries(sheets)) {
+    for (const key of storage.keys("sheet:")) {
+      const one = load(key, { sent: true });
       if (!seat || one.sent || one.due > Date.now()) continue;
       try {
         const response = await ask(`/api/survey/${one.id}`, { body: one.text, token: seat.survey });
-        if (response.ok) { sheets[name] = { sent: true }; keep("sheets", sheets); }
+        if (response.ok) keep(key, { sent: true });
       } catch { /* It is tried again. */ }
     }
   }, 15000);
@@ -220,9 +177,9 @@
       seat = await response.json();
       keep("seat", seat);
       // All of the work here is handed in from the new seat, too.
-      keep("known", {});
+      storage.dropAll("known:");
       try { localStorage.setItem("meniscus:hand-in-name", seat.pseudonym); } catch { /* The form asks for a name. */ }
-      if (stores) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
+      if (storage.stores()) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
       start();
     } catch {
       said = words().unreachable;
@@ -232,7 +189,7 @@
   const leave = (sentence) => {
     [seat, state, following, problem, said] = [null, null, null, "", sentence];
     keep("seat", null);
-    keep("known", {});
+    storage.dropAll("known:");
     show();
   };
 
@@ -251,13 +208,13 @@
   const stored = () => make("a", { href: `${server}/stored`, target: "_blank", rel: "noreferrer", textContent: words().stored });
   const line = () => {
     const own = words();
-    const count = load("waiting", []).length;
+    const count = storage.waiting().length;
     const waits = count === 0 ? "" : count === 1 ? own.waits_one : own.waits.replace("#", count);
     const closes = state?.settings.closes;
     const accepts = !state || (state.accepts && (!closes || Date.now() + offset < closes));
     const reason = state && !state.approved ? own.approval : !accepts ? own.closed : problem ? own[problem] : "";
-    const whole = Object.keys(load("known", {})).length ? own.all_in : own.nothing;
-    return [waits || (reason ? "" : whole), reason, stores ? "" : own.keep_open].filter(Boolean).join(" ");
+    const whole = storage.keys("known:").length ? own.all_in : own.nothing;
+    return [waits || (reason ? "" : whole), reason, storage.stores() ? "" : own.keep_open].filter(Boolean).join(" ");
   };
   const status = classBar.status("class-status");
   let built = "";
@@ -315,7 +272,7 @@
     if (seat.key) mine.append(make("span", {}, `${own.key}: `, make("span", { className: "key", textContent: seat.key })));
     mine.append(button(own.download, () => save("/api/mine", "my-class.json")), button(own.erase, async () => {
       if (!confirm(own.erase_sure)) return;
-      try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { keep("waiting", []); leave(own.erased); } }
+      try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { storage.dropAll("waiting:"); leave(own.erased); } }
       catch { said = own.unreachable; show(); }
     }), stored());
     parts.push(fold("class-mine", own.more, mine));

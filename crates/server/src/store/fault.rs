@@ -22,6 +22,8 @@ pub enum Fault {
     Taken(u64),
     /// The seat has stored as much as it may.
     SeatFull,
+    /// The class has as many answers to surveys as it may.
+    SheetsFull,
     /// There is no such class, seat or file.
     Missing,
     /// The server is ending.
@@ -40,6 +42,7 @@ impl Fault {
             Self::NoStore(why) => words!("is no store of classes: {}", why),
             Self::Taken(_) => words("has another event of this number"),
             Self::SeatFull => words("has no more room for this seat"),
+            Self::SheetsFull => words("has no more room for answers to surveys in this class"),
             Self::Missing => words("has no such class or seat"),
             Self::Ending => words("is being closed"),
         }

@@ -60,6 +60,9 @@ pub struct EventRow {
     pub body: String,
 }
 
+/// Maximum number of answers to surveys in a class: those of 2,000 students to five surveys.
+pub const MOST_SHEETS: i64 = 10_000;
+
 /// Result of [`super::Store::append`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {

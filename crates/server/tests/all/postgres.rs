@@ -28,6 +28,26 @@ fn text<'a>(value: &'a Value, name: &str) -> &'a str {
 
 #[test]
 #[ignore = "needs Postgres"]
+fn a_class_takes_so_many_answers_to_surveys_and_says_when_it_is_full() {
+    let storage = Storage::database();
+    let running = Running::start(&storage.location);
+    let joined = running.join();
+    let class = running.class.id();
+    let rows = format!(
+        "INSERT INTO meniscus.sheet SELECT '{class}', decode(lpad(to_hex(n), 32, '0'), 'hex'), '{{}}' FROM generate_series(1, 9999) n"
+    );
+    Cluster::shared().sql(storage.name(), &rows);
+    let send = |number: &str| {
+        let path = format!("/api/survey/{number}");
+        running.post(&path, text(&joined, "survey"), &json!({ "meniscus survey": 1 }))
+    };
+    assert_eq!(send("1-1").status, 200);
+    assert_eq!(send("2-2").why(), (413, "full".to_owned()));
+    assert_eq!(send("1-1").status, 200);
+}
+
+#[test]
+#[ignore = "needs Postgres"]
 fn what_is_said_to_one_server_holds_on_the_other_at_once() {
     let (_storage, [one, other]) = two();
     // A link works once, wherever.

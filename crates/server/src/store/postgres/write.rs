@@ -1,7 +1,7 @@
 //! Changes of rows, each one statement that cannot fail for its own reasons: it says in its rows what it has found.
 
 use super::super::fault::Fault;
-use super::super::rows::{ClassRow, NewEvent, NewSeat, Outcome, SeatRow, signed};
+use super::super::rows::{ClassRow, MOST_SHEETS, NewEvent, NewSeat, Outcome, SeatRow, signed};
 use super::writer::Value;
 use super::{Postgres, number, value};
 use crate::codes::Hash;
@@ -69,8 +69,13 @@ SELECT $1::text, 0, 1 + coalesce((SELECT max(seq) FROM event WHERE class = $1 AN
 WHERE EXISTS (SELECT FROM class WHERE class = $1) RETURNING number";
 
 const ADD_SHEET: &str = "
-INSERT INTO sheet SELECT $1::text, $2::bytea, $3::text WHERE EXISTS (SELECT FROM class WHERE class = $1)
-ON CONFLICT DO NOTHING";
+WITH room AS (
+  SELECT count(*) < $4 OR EXISTS (SELECT FROM sheet WHERE class = $1 AND id = $2) AS has FROM sheet WHERE class = $1),
+  added AS (
+    INSERT INTO sheet SELECT $1::text, $2::bytea, $3::text WHERE EXISTS (SELECT FROM class WHERE class = $1)
+      AND (SELECT has FROM room)
+    ON CONFLICT DO NOTHING)
+SELECT has FROM room";
 
 const ERASE_SEAT: &str = "
 WITH gone AS (DELETE FROM seat WHERE class = $1 AND seat = $2 RETURNING seat),
@@ -169,7 +174,9 @@ impl Postgres {
     }
 
     pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
-        self.change(ADD_SHEET, vec![given(class), given(id.to_vec()), given(body)]).await.map(drop)
+        let values = vec![given(class), given(id.to_vec()), given(body), given(MOST_SHEETS)];
+        let row = only(self.change(ADD_SHEET, values).await?)?;
+        if value(&row, 0)? { Ok(()) } else { Err(Fault::SheetsFull) }
     }
 
     pub async fn erase_seat(&self, class: String, seat: u32) -> Result<(), Fault> {

@@ -1,7 +1,7 @@
 //! Reading and writing of rows.
 
 use super::super::fault::Fault;
-use super::super::rows::{ClassRow, EventRow, NewEvent, NewSeat, Outcome, SeatRow, signed};
+use super::super::rows::{ClassRow, EventRow, MOST_SHEETS, NewEvent, NewSeat, Outcome, SeatRow, signed};
 use super::Sqlite;
 use crate::codes::Hash;
 use rusqlite::{Connection, OptionalExtension, Row, params};
@@ -106,6 +106,10 @@ impl Sqlite {
 
     pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
         self.change(move |connection| {
+            let full = "SELECT count(*) >= ?3 AND NOT EXISTS(SELECT 1 FROM sheet WHERE class=?1 AND id=?2) FROM sheet WHERE class=?1";
+            if connection.query_row(full, params![class, id, MOST_SHEETS], |row| row.get(0))? {
+                return Err(Fault::SheetsFull);
+            }
             connection.execute("INSERT OR IGNORE INTO sheet VALUES(?,?,?)", params![class, id, body])?;
             Ok(())
         })

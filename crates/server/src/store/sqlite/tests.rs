@@ -1,4 +1,4 @@
-//! A disk that is full.
+//! A disk that is full, and a class that is.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by them")]
 
@@ -9,9 +9,7 @@ fn event(seq: u64) -> NewEvent {
     NewEvent { seq, kind: "part", body: "x".repeat(2000) }
 }
 
-#[tokio::test]
-async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
-    let folder = tempfile::tempdir().unwrap();
+async fn store_with_a_class(folder: &tempfile::TempDir) -> Sqlite {
     let store = Sqlite::open(&folder.path().join("class.sqlite")).unwrap();
     let class = ClassRow {
         class: "c".to_owned(),
@@ -22,6 +20,29 @@ async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
         expires: 1,
     };
     store.add_class(class, false).await.unwrap();
+    store
+}
+
+#[tokio::test]
+async fn a_class_takes_so_many_answers_to_surveys_and_says_when_it_is_full() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store_with_a_class(&folder).await;
+    let numbers = "WITH RECURSIVE number(n) AS (SELECT 1 UNION ALL SELECT n+1 FROM number WHERE n<9999)
+        INSERT INTO sheet SELECT 'c', CAST(printf('%016d', n) AS BLOB), '{}' FROM number";
+    store.alone(move |connection| Ok(connection.execute(numbers, []).map(drop)?)).await.unwrap();
+    let add = |class: &str, id: u8| store.add_sheet(class.to_owned(), [id; 16], "{}".to_owned());
+    add("c", 1).await.unwrap();
+    assert!(matches!(add("c", 2).await, Err(Fault::SheetsFull)));
+    // Sent again because the reply was lost; and another class has room.
+    add("c", 1).await.unwrap();
+    add("d", 2).await.unwrap();
+    assert_eq!(store.sheets("c".to_owned()).await.unwrap().len(), 10_000);
+}
+
+#[tokio::test]
+async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store_with_a_class(&folder).await;
     let seat = NewSeat { pseudonym: "a".to_owned(), key: [0; 32], approved: true };
     store.add_seat("c".to_owned(), seat, [1; 32], 9).await.unwrap();
     // SQLite answers with the same error as on a full disk.

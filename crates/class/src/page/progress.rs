@@ -8,7 +8,10 @@ pub fn count_text(collection: &Collection, language: Language) -> String {
     let (groups, waiting) = (collection.works().count(), collection.waiting());
     let counts_not = |state: &State| matches!(state, State::Repeated(_) | State::Unreadable(_));
     let more = collection.entries().iter().filter(|entry| counts_not(entry.state())).count();
-    let mut text = say!(language, "{groups} groups");
+    let mut text = match groups {
+        1 => language.say("1 group").to_owned(),
+        _ => say!(language, "{groups} groups"),
+    };
     if waiting > 0 {
         text += &say!(language, ", {waiting} still to be computed");
     }
@@ -16,9 +19,10 @@ pub fn count_text(collection: &Collection, language: Language) -> String {
     if waiting == 0 && uncompared > 0 {
         text += &say!(language, ", looking for shared data: {uncompared} to go");
     }
-    if more > 0 {
-        let rest = language.say("further files that do not count");
-        text += &format!(", {more} {rest}");
+    match more {
+        0 => {}
+        1 => text += language.say(", 1 further file that does not count"),
+        _ => text += &say!(language, ", {more} further files that do not count"),
     }
     text
 }

@@ -1,6 +1,7 @@
 //! Measurements of speed and size, printed beside their targets. A measurement never fails, because it depends on the
 //! machine and its load.
 
+use crate::ratios::{self, Ratios};
 use crate::steps::{self, cargo, step};
 use crate::wasm::{self, Host};
 use crate::{page, tools, weight};
@@ -14,8 +15,11 @@ type Numbers = BTreeMap<String, f64>;
 /// the environment variable `PUBLISHED`.
 const PUBLISHED_PAGE: &str = "Utube_oscillations_damped_Simulation.xhtml";
 
-/// Runs and prints all measurements.
-pub fn all() -> Result<()> {
+/// Runs and prints all measurements, and names the ratios that are more than a fifth below the committed ones; with `commit`
+/// it replaces the committed ones of this processor instead.
+pub fn all(commit: bool) -> Result<()> {
+    // Before the builds, which are a load themselves.
+    let load = ratios::load().map_or("unknown".to_owned(), |load| format!("{load:.2}"));
     let page = step("the page", page::build)?;
     let page = std::fs::read_to_string(&page).with_context(|| format!("cannot read {}", page.display()))?;
     let native = step("the pace of the engine, of fits and of the import natively", native)?;
@@ -32,6 +36,7 @@ pub fn all() -> Result<()> {
     let exported_gzipped = page::gzip(&exported)?.len();
 
     println!();
+    println!("processor: {}; load before the measurement: {load}", ratios::features());
     pace("natively", &native, "");
     pace(place, &web, "wasm-");
     emitted(&web);
@@ -100,7 +105,31 @@ pub fn all() -> Result<()> {
             println!("{:<44} not measured: PUBLISHED must name the folder of {PUBLISHED_PAGE}", title);
         }
     }
-    Ok(())
+    let found = found_ratios(&native, &web);
+    if commit { ratios::commit(found) } else { ratios::compare(&found) }
+}
+
+/// Ratios of two figures of the same run; more is faster.
+fn found_ratios(native: &Numbers, web: &Numbers) -> Ratios {
+    let mut found = Ratios::new();
+    let places = [("natively", native, ""), ("in the browser", web, "wasm-")];
+    for (place, numbers, prefix) in places {
+        let mut keep = |name: &str, above: &str, below: &str| {
+            if let (Some(above), Some(below)) = (numbers.get(above), numbers.get(below)) {
+                found.insert(format!("{name} {place}"), above / below);
+            }
+        };
+        keep("U-tube, interpreted to the best loop", &format!("{prefix}machine"), &format!("{prefix}best"));
+        keep("U-tube, emitted to the best loop", &format!("{prefix}emitted"), &format!("{prefix}best"));
+        for system in ["chain", "string", "gas"] {
+            let [hand, machine] = ["hand", "machine"].map(|one| format!("{system}-{one}"));
+            keep(&format!("{system}, interpreted to the loops by hand"), &hand, &machine);
+        }
+        keep("fit of an equation of motion, emitted to interpreted", "fit-motion", "fit-motion-emitted");
+    }
+    let emitted = web.iter().filter_map(|(name, times)| Some((name.strip_prefix("shipped-")?, times)));
+    found.extend(emitted.map(|(document, times)| (format!("{document}, emitted to interpreted"), *times)));
+    found
 }
 
 /// Prints the rate of steps in the virtual machine, in emitted code and in hand-written loops.

@@ -5,6 +5,7 @@ mod checks;
 mod editor;
 mod golden;
 mod page;
+mod ratios;
 mod steps;
 mod texts;
 mod tools;
@@ -20,7 +21,8 @@ cargo xtask page    build the pages: target/page/meniscus.html, and the player t
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
                     also the long ones: the class server under load and killed
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
-cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens
+cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
+                    a fifth below those of xtask/ratios.txt; `bench commit` writes that file
 ";
 
 fn main() -> ExitCode {
@@ -42,7 +44,8 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["test"] => checks::all(),
         ["test", "full"] => checks::full(),
         ["texts"] => texts::update(&steps::root()),
-        ["bench"] => bench::all(),
+        ["bench"] => bench::all(false),
+        ["bench", "commit"] => bench::all(true),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

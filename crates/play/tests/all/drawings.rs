@@ -1,7 +1,7 @@
 //! Curves drawn by the reader.
 
 use crate::support::{bits, go_on, open, set, state};
-use play::{Announcement, DrawingView, Play, Refusal};
+use play::{Announcement, DrawingView, Extent, Play, Refusal};
 
 const PUSHED: &str = "---
 title: Pushed
@@ -100,6 +100,7 @@ fn the_link_is_short_and_repeats_it() {
     assert!(link.starts_with("1&p=m:3&a=F:AABQCgDwFAGQ") && link.len() < 140, "{link}");
     let other = by_link(&play);
     assert_eq!(curve(&other, 0), curve(&play, 0));
+    assert!(play.share_within(Extent::Start).starts_with("1&p=m:3&a=F:"), "a film of the run has its curves");
     for wrong in
         ["a=F:AAA", "a=G:AAAA", "a=F", &format!("a=F:{}", "_".repeat(104)), &format!("a=F:{}", "A".repeat(105))]
     {

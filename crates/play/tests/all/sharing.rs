@@ -255,6 +255,8 @@ fn parts_of_the_state_can_be_left_out() {
     other.restore(&moment).expect("a state");
     let state = |play: &Play| -> Vec<u64> { play.values().states().iter().map(|own| own.value.to_bits()).collect() };
     assert_eq!(state(&other), state(&play));
+    play.change_run(|line, _| line.set_speed(2.0));
+    assert_eq!(play.share_within(Extent::Start), "1&p=b:200", "neither the way there nor the view");
 }
 
 #[test]

@@ -12,16 +12,16 @@ fuzz_target!(|bytes: &[u8]| {
     let written = bundle::write(&program).expect("what was read can be written");
     assert!(bundle::read(&written).is_ok());
     let mut play = Play::open(program);
-    play.play();
+    play.change_run(|line, _| line.play());
     for _ in 0..4 {
-        play.tick(0.1);
+        play.change_run(|line, _| line.tick(0.1));
     }
-    play.pause();
+    play.change_run(|line, _| line.pause());
     play.layout_plot(PlotId::at(0), &Settings::default());
     let _ = (
         play.readouts(),
         play.controls().presets(play.basis(), play.course()),
-        play.scene_values().len(),
-        play.check_answer(0, "1"),
+        play.scene().values().len(),
+        play.change_answers(|answers, run| answers.check(run, 0, "1")),
     );
 });

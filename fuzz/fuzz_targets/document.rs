@@ -69,13 +69,13 @@ fn carries_no_script(document: &Document) {
 /// A short lesson: play, change, step back, share, export.
 fn is_worked_with(document: Document) {
     let mut play = Play::open(document.program);
-    play.play();
+    play.change_run(|line, _| line.play());
     for _ in 0..4 {
-        play.tick(0.1);
+        play.change_run(|line, _| line.tick(0.1));
     }
-    play.pause();
-    play.step_back();
+    play.change_run(|line, _| line.pause());
+    play.change_run(|line, _| line.step_back());
     let shared = play.share();
     let _ = play.restore(&shared);
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
 }

@@ -43,7 +43,10 @@ impl Desk {
     /// Opens a document. The first row is drawn and the run is paused at time 0.
     pub fn open(document: Document) -> Self {
         let mut play = Play::open(document.program.clone());
-        let (measured, cycles) = (MeasuredData::new(play.add_plot()), Cycles::new(play.add_plot()));
+        let (measured, cycles) = (
+            MeasuredData::new(play.change_plots(|plots, _| plots.add())),
+            Cycles::new(play.change_plots(|plots, _| plots.add())),
+        );
         let mut desk = Self {
             play,
             revision: Revision::default(),
@@ -93,7 +96,7 @@ impl Desk {
 
     /// Updates residuals, cycles and the outline to the present state of the run. Must be called before plots are drawn.
     pub fn follow(&mut self) {
-        if let Some(time) = self.play.take_rewritten() {
+        if let Some(time) = self.play.change_run(|line, _| line.take_rewritten()) {
             self.measured.truncate_residuals(&mut self.play, time);
         }
         self.measured.follow_residuals(&mut self.play);
@@ -115,7 +118,7 @@ impl Desk {
     /// Number of the removal that [`Desk::undo`] would undo; `None` if there is nothing to undo.
     pub fn undo_number(&self) -> Option<u32> {
         let own = self.removed.as_ref().map(|(number, _)| *number);
-        self.play.undo_number().or(own.filter(|number| *number == self.play.removals()))
+        self.play.removals().number().or(own.filter(|number| *number == self.play.removals().count()))
     }
 
     /// Undoes the removal of this number, here or in the simulation. Only the last removal can be undone; returns true if
@@ -124,7 +127,7 @@ impl Desk {
         if self.undo_number() != Some(number) {
             return false;
         }
-        if self.play.undo_number() == Some(number) {
+        if self.play.removals().number() == Some(number) {
             return self.play.undo(number);
         }
         let Some((_, removed)) = self.removed.take() else { return false };
@@ -274,7 +277,7 @@ impl Desk {
     /// Takes the records, fits and films of another desk, which had another document open.
     pub fn adopt(&mut self, other: &mut Self) {
         self.fits.adopt(&mut other.fits);
-        self.play.number_removals_from(other.play.removals());
+        self.play.number_removals_from(other.play.removals().count());
         self.films = std::mem::take(&mut other.films);
         let changes = self.cycles.adopt(&mut other.cycles) | self.records.adopt(&mut other.records, &self.document);
         self.note(changes);
@@ -453,7 +456,9 @@ impl Desk {
         }
         self.note(changes);
         let begins = self.records().origin(applied.shown.0);
-        self.play.run_through(std::mem::take(&mut applied.parameters), applied.last - begins);
+        self.play.change_run(|line, basis| {
+            line.run_through(basis, std::mem::take(&mut applied.parameters), applied.last - begins)
+        });
         self.change_fits(|fits, _| fits.set_applied(applied));
     }
 

@@ -15,7 +15,7 @@ pub struct OpenDocument<'a> {
 impl OpenDocument<'_> {
     /// Language of all texts.
     pub(crate) fn language(self) -> Language {
-        self.play.language()
+        self.play.basis().language()
     }
 
     /// Hash of the text. Results of a fit for a record are valid only with this document.

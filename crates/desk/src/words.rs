@@ -138,7 +138,7 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
 impl Refusal {
     /// Text in the chosen language.
     pub fn text(&self, play: &Play) -> String {
-        let language = play.language();
+        let language = play.basis().language();
         match self {
             Self::Play(refusal) => play.basis().refusal_text(refusal),
             Self::TooManyRecords { most } => say!(language, "{most} records are open already; remove one first."),
@@ -165,7 +165,7 @@ impl Refusal {
 impl Announcement {
     /// Text in the chosen language.
     pub fn text(&self, play: &Play) -> String {
-        let language = play.language();
+        let language = play.basis().language();
         match self {
             Self::Play(announcement) => announcement.text(play.basis(), play.time_line()),
             Self::RecordAdded(name) => say!(language, "Record read: {}", name),

@@ -16,7 +16,7 @@ pub fn workbook(desk: &Desk) -> Vec<u8> {
     };
     let cells = desk.play().values().table_cells().into_iter();
     let rows = std::iter::once(head).chain(cells.map(|row| row.into_iter().map(cell).collect())).collect();
-    let run = Sheet { name: words::run(desk.play().language()).to_owned(), rows, header: true };
+    let run = Sheet { name: words::run(desk.play().basis().language()).to_owned(), rows, header: true };
     let record = |(view, record): (RecordView, &Record)| {
         let (heads, columns) = columns(&view, record);
         Sheet::of_film(record.name(), &heads, &columns, record.table().scale_error)
@@ -34,7 +34,9 @@ pub fn export_record(desk: &Desk, id: u32, kind: ExportKind) -> Option<Export> {
     let scale_error = record.table().scale_error;
     let bytes = match kind {
         ExportKind::Report => return None,
-        ExportKind::Csv => csv::write_film(&heads, &columns, scale_error, dialect(desk.play().style())).into_bytes(),
+        ExportKind::Csv => {
+            csv::write_film(&heads, &columns, scale_error, dialect(desk.play().basis().style())).into_bytes()
+        }
         ExportKind::Workbook => {
             let table = Sheet::of_film(stem(record.name()), &heads, &columns, scale_error);
             let film = film_sheet(desk, id);
@@ -47,7 +49,7 @@ pub fn export_record(desk: &Desk, id: u32, kind: ExportKind) -> Option<Export> {
 /// Sheet of facts about the film of a record; `None` if the record is not from a film.
 fn film_sheet(desk: &Desk, record: u32) -> Option<Sheet> {
     let film = desk.films().described(record)?;
-    let language = desk.play().language();
+    let language = desk.play().basis().language();
     let times = language.say("Times count from the beginning of the film.");
     let mut rows = vec![vec![language.say("Film").into(), film.name.into()]];
     rows.extend(film.facts.into_iter().map(|(term, value)| vec![term.into(), value.into()]));
@@ -58,13 +60,13 @@ fn film_sheet(desk: &Desk, record: u32) -> Option<Sheet> {
 
 /// Names of the data that a link does not contain, in the chosen language.
 pub fn missing_in_link(desk: &Desk) -> Vec<&'static str> {
-    let language = desk.play().language();
+    let language = desk.play().basis().language();
     let own = [
         (!desk.records().is_empty(), language.say("records")),
         (!desk.fits().saved().is_empty(), language.say("fits")),
     ];
     let own = own.into_iter().filter_map(|(missing, name)| missing.then_some(name));
-    own.chain(desk.play().missing_in_link()).collect()
+    own.chain(play::missing_in_link(desk.play())).collect()
 }
 
 /// Headings and values of the columns of a record.

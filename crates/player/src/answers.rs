@@ -16,7 +16,7 @@ pub fn restore(app: App) {
     for (key, text) in browser::all_remembered(&prefix) {
         let name = key.strip_prefix(&prefix).unwrap_or_default();
         if let Some(answer) = Answer::of_lines(&text) {
-            app.read(|play| play.restore_answer(name, &answer));
+            app.read(|play| play.change_answers(|answers, run| answers.restore(run, name, &answer)));
         }
     }
 }

@@ -186,7 +186,7 @@ impl Course {
         let learner = learner.as_string().unwrap_or_default();
         let (link, given) = text.split_once('#').unwrap_or((text, ""));
         let seat = |play: &mut Play| {
-            let Some(seat) = play.seat() else { return };
+            let Some(seat) = play.basis().seat() else { return };
             let own = Seat::of_learner(&seat.assignment, &learner).number();
             if seat.number != Some(own) {
                 let _ = play.set_seat(&own.to_string());
@@ -200,7 +200,7 @@ impl Course {
             for (name, lines) in given.split('&').filter_map(|one| one.split_once('=')) {
                 let lines = js_sys::decode_uri_component(lines).ok().and_then(|lines| lines.as_string());
                 if let Some(answer) = lines.and_then(|lines| Answer::of_lines(&lines)) {
-                    play.restore_answer(name, &answer);
+                    play.change_answers(|answers, run| answers.restore(run, name, &answer));
                 }
             }
         });

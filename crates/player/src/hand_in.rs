@@ -3,7 +3,7 @@
 
 use crate::{source, words};
 use js_sys::JSON;
-use play::{Answer, Attempt, Fact, FactValue, Play, name_of};
+use play::{Answer, Attempt, Fact, FactValue, Play, facts_of_answers, facts_of_run, name_of};
 use view::views::*;
 use view::{App, browser, page::handing, pieces::icons};
 use wasm_bindgen::JsValue;
@@ -55,13 +55,13 @@ fn made(play: &mut Play, name: &str) -> Option<(String, String, usize)> {
     let _ = again.restore(&state);
     let saved = play.answers().saved(play.basis());
     for (question, answer) in &saved {
-        again.restore_answer(question, answer);
+        again.change_answers(|answers, run| answers.restore(run, question, answer));
     }
-    let facts = [again.facts_of_run(name_of(&[text])), again.facts_of_answers()];
+    let facts = [facts_of_run(&again, name_of(&[text])), facts_of_answers(&again)];
     let count = facts.iter().map(Vec::len).sum();
     let facts =
         facts.iter().zip(["run", "answer"]).flat_map(|(facts, part)| facts.iter().map(move |one| fact(part, one)));
-    let (seat, assignment) = play.seat().map_or((None, String::new()), |seat| (seat.number, seat.assignment));
+    let (seat, assignment) = play.basis().seat().map_or((None, String::new()), |seat| (seat.number, seat.assignment));
     let seat = seat.map_or_else(String::new, |seat| format!(",\"seat\":{seat},\"assignment\":{}", quoted(&assignment)));
     let now = js_sys::Date::now();
     let items = saved.iter().map(|(question, answer)| item(question, answer, now));

@@ -88,7 +88,7 @@ fn follow_link(app: App) {
 /// Copies a link to the present state and reports what the link does not contain.
 fn share(app: App) {
     let words = app.words();
-    let (state, missing) = app.read(|play| (play.share(), play.missing_in_link()));
+    let (state, missing) = app.read(|play| (play.share(), play::missing_in_link(play)));
     browser::copy(&address(&state), move |allowed| {
         let copied = if allowed { words.link_copied } else { words.link_not_copied };
         let without = (!missing.is_empty()).then(|| format!(" {}: {}.", words.link_without, missing.join(", ")));

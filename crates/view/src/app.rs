@@ -129,7 +129,7 @@ impl News {
     /// News for an announcement of the simulation.
     pub fn of_play(play: &Play, announcement: &Announcement) -> Self {
         let spoken = announcement.text(play.basis(), play.time_line());
-        let undo = play.undo_number().filter(|_| announcement.can_be_undone());
+        let undo = play.removals().number().filter(|_| announcement.can_be_undone());
         let message = Message::new(announcement.prominence(), &spoken);
         Self { message: message.map(|message| message.undone_by(undo)), spoken }
     }

@@ -105,9 +105,9 @@ fn draw(app: App, now: f64) {
 fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> (bool, bool) {
     let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
     if play.time_line().is_playing() && seconds > 0.0 {
-        play.tick(seconds);
+        play.change_run(|line, _| line.tick(seconds));
     }
-    let working = play.work_on_plots();
+    let working = play.change_plots(|plots, run| plots.work(run));
     let playing = play.time_line().is_playing();
     nodes.moved = playing.then_some(now);
     let values = !(playing || working) || now - nodes.shown >= 1000.0 / VALUES_PER_SECOND;
@@ -115,7 +115,7 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> 
         nodes.shown = now;
     }
     // Canvases first: after a change of the page, setting the font of a canvas makes the browser recompute all styles.
-    let mut unfinished = play.advance_claims();
+    let mut unfinished = play.change_claims(|claims, basis| claims.advance(basis));
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
             unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);

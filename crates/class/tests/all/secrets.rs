@@ -26,10 +26,10 @@ fn a_hidden_value_is_in_no_file_of_the_laboratory() {
     let index = parameters.iter().position(|parameter| parameter.name == "zeta_q").unwrap();
     let hidden = desk.play().course().parameters()[index];
     // A run, measurements by the two instruments, and a fit of what is not hidden.
-    desk.play_mut().play();
-    desk.play_mut().tick(1.0);
-    desk.play_mut().pause();
-    desk.play_mut().keep().unwrap();
+    desk.play_mut().change_run(|line, _| line.play());
+    desk.play_mut().change_run(|line, _| line.tick(1.0));
+    desk.play_mut().change_run(|line, _| line.pause());
+    desk.play_mut().change_run(|line, basis| line.keep(basis)).unwrap();
     let form = MeasurementForm::suited(desk.play());
     let record = desk.change_records(|records, open| records.measure(open, "camera", &form)).unwrap();
     let c = desk.fits().choices().iter().position(|choice| choice.name == "c").unwrap();
@@ -37,7 +37,7 @@ fn a_hidden_value_is_in_no_file_of_the_laboratory() {
     desk.change_fits(|fits, data| fits.vary(data.play(), varied, true));
     desk.change_fits(|fits, data| fits.begin(data, "tube.md")).unwrap();
     while desk.advance_fit() {}
-    desk.play_mut().check_answer(0, "0.1");
+    desk.play_mut().change_answers(|answers, run| answers.check(run, 0, "0.1"));
     let fit = desk.fits().list()[0].id;
 
     let mut files = vec![

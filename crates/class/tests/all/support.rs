@@ -79,7 +79,7 @@ pub fn answered(rows: &[(f64, f64)], answers: &[&str]) -> Project {
     while desk.advance_fit() {}
     assert_eq!(desk.fits().list().len(), 1);
     for typed in answers {
-        desk.play_mut().check_answer(0, typed);
+        desk.play_mut().change_answers(|answers, run| answers.check(run, 0, typed));
     }
     Project { documents, state: desk.play().share(), items: desk::project_items(&desk, 1_763_812_800_000) }
 }
@@ -104,7 +104,7 @@ pub fn weighed(length: f64, rows: &[(f64, f64)], name: &str) -> HandIn {
     }
     let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
     let index = desk.play().model().parameters.iter().position(|one| one.name == "L").unwrap();
-    desk.play_mut().set_parameter(index, length).unwrap();
+    desk.play_mut().change_settings(|settings| settings.set_parameter(index, length)).unwrap();
     desk.add_record("tube.csv", file(rows).as_bytes()).unwrap();
     desk.change_fits(|fits, data| fits.begin(data, "linear.md")).unwrap();
     while desk.advance_fit() {}

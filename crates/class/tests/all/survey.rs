@@ -133,9 +133,10 @@ fn what_a_page_writes_is_read_and_stands_nowhere_else() {
     let document = include_str!("../../../../tests/page/surveyed.md");
     let opened = document::open(document, &[]).document.unwrap();
     let mut desk = desk::Desk::open(opened);
-    desk.play_mut().choose_in_survey(0, Some(1));
-    desk.play_mut().choose_in_survey(1, Some(0));
-    desk.play_mut().type_in_survey(3, "a secret\n\"quoted\" \\ \u{7} ñ\u{2028}🎉");
+    desk.play_mut().change_survey(|survey, basis| survey.choose(basis, 0, Some(1)));
+    desk.play_mut().change_survey(|survey, basis| survey.choose(basis, 1, Some(0)));
+    desk.play_mut()
+        .change_survey(|survey, basis| survey.type_text(basis, 3, "a secret\n\"quoted\" \\ \u{7} ñ\u{2028}🎉"));
     let play = desk.play();
     let sheet = Sheet::read(&play.survey().file(play.basis())).unwrap();
     let answers: Vec<_> = sheet.items.iter().map(|(_, answer)| answer.clone()).collect();

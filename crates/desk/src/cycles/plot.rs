@@ -74,16 +74,16 @@ impl Cycles {
         let (quantity, against) = (self.view.quantity, self.view.against_amplitude);
         let units = self.found.as_ref().map(|found| units_of(play, found)).unwrap_or_default();
         let independent = play::symbol(&play.model().independent.name);
-        let axis =
-            |quantity: Quantity| (quantity.symbol(play.language()).to_owned(), quantity.unit(&units.0, &units.1));
+        let axis = |quantity: Quantity| {
+            (quantity.symbol(play.basis().language()).to_owned(), quantity.unit(&units.0, &units.1))
+        };
         let x = if against { axis(Quantity::Amplitude) } else { (independent, units.1.clone()) };
-        let title = cycles_title(play.language(), &capitalised(quantity.name(play.language())), against);
-        let description = format!("{title}. {}", cycles_description(play.language()));
-        let curves = cycles_legend(play.language()).map(str::to_owned).to_vec();
+        let title =
+            cycles_title(play.basis().language(), &capitalised(quantity.name(play.basis().language())), against);
+        let description = format!("{title}. {}", cycles_description(play.basis().language()));
+        let curves = cycles_legend(play.basis().language()).map(str::to_owned).to_vec();
         let labels = Labels { title, description, x, axes: vec![axis(quantity)], curves, ..Labels::default() };
-        if let Some(plot) = play.added_plot(self.plot) {
-            plot.labels = labels;
-        }
+        play.change_plots(|plots, _| plots.change_added(self.plot, |plot| plot.labels = labels));
         self.show_plot(play);
     }
 
@@ -118,7 +118,7 @@ impl Cycles {
         let (against, falls) = (self.view.against_amplitude, self.view.quantity == Quantity::Amplitude);
         let limits = drawn.limits;
         let offered = self.found.as_ref().is_some_and(|found| found.cycles.is_ok());
-        if let Some(plot) = play.added_plot(self.plot) {
+        let change = |plot: &mut AddedPlot| {
             *plot = AddedPlot {
                 labels: std::mem::take(&mut plot.labels),
                 series: vec![constant, run, measured],
@@ -131,8 +131,8 @@ impl Cycles {
                 apart: true,
                 cursor: MEASURED,
             };
-        }
-        play.added_plot_changed(self.plot);
+        };
+        play.change_plots(|plots, _| plots.change_added(self.plot, change));
     }
 }
 

@@ -125,8 +125,10 @@ impl ShownCycles<'_> {
     /// Names of the quantities that can be plotted, in the order of the index that [`Cycles::show`] takes, and the
     /// index of the plotted one.
     pub fn quantities(self) -> (Vec<String>, usize) {
-        let names =
-            Quantity::ALL.iter().map(|quantity| capitalised(quantity.name(self.open.play.language()))).collect();
+        let names = Quantity::ALL
+            .iter()
+            .map(|quantity| capitalised(quantity.name(self.open.play.basis().language())))
+            .collect();
         (names, Quantity::ALL.iter().position(|quantity| *quantity == self.cycles.view.quantity).unwrap_or_default())
     }
 
@@ -141,8 +143,8 @@ impl ShownCycles<'_> {
         let cycles = match &found.cycles {
             Ok(cycles) => cycles,
             Err(reason) => {
-                let fixed = |value: f64| number::fixed(value, 1, self.open.play.style());
-                let sentences = vec![reason.text(self.open.play.language(), &fixed)];
+                let fixed = |value: f64| number::fixed(value, 1, self.open.play.basis().style());
+                let sentences = vec![reason.text(self.open.play.basis().language(), &fixed)];
                 return Some(CyclesView { sentences, ..CyclesView::default() });
             }
         };
@@ -153,15 +155,17 @@ impl ShownCycles<'_> {
         };
         let mut heads = vec![head(&play::symbol(&self.open.play.model().independent.name), &time)];
         heads.extend(
-            Quantity::ALL.map(|quantity| head(quantity.symbol(self.open.play.language()), &quantity.unit(&own, &time))),
+            Quantity::ALL
+                .map(|quantity| head(quantity.symbol(self.open.play.basis().language()), &quantity.unit(&own, &time))),
         );
-        let text =
-            |measured: Measured| number::with_error(measured.value, Some(measured.error), self.open.play.style());
+        let text = |measured: Measured| {
+            number::with_error(measured.value, Some(measured.error), self.open.play.basis().style())
+        };
         let column = |of: &dyn Fn(&cycles::Cycle) -> Measured| {
             let measured: Vec<Measured> = cycles.cycles.iter().map(of).collect();
             let layout = Layout::of_errors(measured.iter().map(|one| (one.value, one.error)));
             let write = |one: Measured| match layout {
-                Some(layout) => layout.with_error(one.value, one.error, self.open.play.style()),
+                Some(layout) => layout.with_error(one.value, one.error, self.open.play.basis().style()),
                 None => text(one),
             };
             measured.into_iter().map(write).collect::<Vec<String>>()
@@ -170,11 +174,11 @@ impl ShownCycles<'_> {
         columns.extend(Quantity::ALL.map(|quantity| column(&|cycle| quantity.of(cycle))));
         let row = |(place, cycle): (usize, &cycles::Cycle)| {
             let cells = columns.iter().filter_map(|column| column.get(place).cloned()).collect();
-            (turning_point(self.open.play.language(), cycle.maximum), cells)
+            (turning_point(self.open.play.basis().language(), cycle.maximum), cells)
         };
-        let style = self.open.play.style();
+        let style = self.open.play.basis().style();
         let sentences = cycles.sentences(
-            self.open.play.language(),
+            self.open.play.basis().language(),
             &Writing {
                 measured: &|quantity, measured| number::error_with_unit(&text(measured), &quantity.unit(&own, &time)),
                 value: &|value| number::error_with_unit(&number::plain(value, DIGITS, style), &own),
@@ -195,15 +199,24 @@ impl ShownCycles<'_> {
         let columns: Vec<&[f64]> = table.iter().map(|(_, column)| column.as_slice()).collect();
         let bytes = match kind {
             ExportKind::Workbook => {
-                let sheet =
-                    analysis::spreadsheet::Sheet::of_columns(cycles_word(self.open.play.language()), &heads, &columns);
+                let sheet = analysis::spreadsheet::Sheet::of_columns(
+                    cycles_word(self.open.play.basis().language()),
+                    &heads,
+                    &columns,
+                );
                 analysis::spreadsheet::Workbook { sheets: vec![sheet] }.xlsx()
             }
-            _ => analysis::csv::write(&heads, &columns, crate::fits::reporting::dialect(self.open.play.style()))
-                .into_bytes(),
+            _ => {
+                analysis::csv::write(&heads, &columns, crate::fits::reporting::dialect(self.open.play.basis().style()))
+                    .into_bytes()
+            }
         };
         Some(crate::fits::reporting::export(
-            &format!("{} {}", crate::fits::reporting::stem(record.name()), cycles_word(self.open.play.language())),
+            &format!(
+                "{} {}",
+                crate::fits::reporting::stem(record.name()),
+                cycles_word(self.open.play.basis().language())
+            ),
             kind,
             bytes,
         ))

@@ -85,7 +85,7 @@ fn parallax_of(play: &Play, form: &ParallaxForm) -> Result<Parallax, Refusal> {
 
 /// Length in m from text with a unit.
 fn metres(play: &Play, typed: &str) -> Result<f64, Refusal> {
-    let without_unit = number::parse(typed, play.style()).is_some_and(|(_, rest)| rest.is_empty());
+    let without_unit = number::parse(typed, play.basis().style()).is_some_and(|(_, rest)| rest.is_empty());
     if without_unit {
         let typed: String = typed.trim().chars().take(40).collect();
         return Err(refused(play, &words!("{typed} has no unit. Enter a length such as 10 cm.")));

@@ -5,7 +5,7 @@ use crate::films::recipe::{CameraSettings, FilmRecipe, hash};
 use crate::films::truth::{FilmTruth, TruthComparison, compared};
 use crate::films::{Films, ShownFilms, refused};
 use crate::{Changes, Refusal};
-use play::Play;
+use play::{Extent, Play};
 use units::{Dimension, Words, words};
 
 impl Films {
@@ -64,7 +64,7 @@ impl ShownFilms<'_> {
         Ok(FilmRecipe {
             document: self.play.program().edition(self.play.basis().tag()).title.clone(),
             source: hash(&self.document.source),
-            state: self.play.from_start().share(),
+            state: self.play.share_within(Extent::Start),
             language: self.play.basis().tag().to_owned(),
             settings,
         })

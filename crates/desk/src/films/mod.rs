@@ -129,7 +129,7 @@ impl<'a> ShownFilms<'a> {
 
 /// Refusal with the reason in the chosen language.
 pub(crate) fn refused(play: &Play, why: &Words) -> Refusal {
-    Refusal::Film { why: why.text(play.language()).into_owned() }
+    Refusal::Film { why: why.text(play.basis().language()).into_owned() }
 }
 
 /// Refusal because no film is open.

@@ -48,7 +48,7 @@ impl Films {
             if !(0.0..=play.course().front()).contains(&time) {
                 return None;
             }
-            let parameters = play.state_at(time, &mut state)?;
+            let parameters = play.change_run(|line, _| line.state_at(time, &mut state))?;
             let values = model.readings.at(&parameters, play.course().initial(), time, &state);
             let number = |k: usize| {
                 let (reading, unit, offset) = model.coordinates.get(k)?.as_ref()?;

@@ -26,7 +26,7 @@ impl Films {
     ///
     /// [`Refusal::Film`] if the project has features that are not supported.
     pub(crate) fn take_project(&mut self, play: &Play, own: &ProjectFilm) -> Result<Option<Remark>, Refusal> {
-        let style = play.style();
+        let style = play.basis().style();
         let Some((open, work)) = self.current() else { return Err(no_film(play)) };
         let clip = &open.clip;
         let masses = own.clicks(clip);

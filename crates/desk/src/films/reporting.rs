@@ -26,7 +26,7 @@ impl Films {
     pub(crate) fn described(&self, play: &Play, record: u32) -> Option<Film> {
         let work = self.of_record(record)?;
         let clip = self.open_of(work).map(|open| &open.clip);
-        let language = play.language();
+        let language = play.basis().language();
         let sentence = |words: &Words| units::sentence(&words.text(language));
         let times = clip.map(Clip::notes).unwrap_or_default();
         Some(Film {

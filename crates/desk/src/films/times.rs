@@ -53,7 +53,7 @@ impl Films {
 
 /// Factor of slow motion from text.
 fn factor(play: &Play, typed: &str) -> Result<f64, Refusal> {
-    let style = play.style();
+    let style = play.basis().style();
     let read = || {
         let (value, rest) = number::parse(typed, style)?;
         match rest.strip_prefix('/') {

@@ -46,7 +46,7 @@ impl<'a> ShownFilms<'a> {
     /// Notes on file, times, camera and scale of the open film, as sentences in the chosen language.
     pub fn notes(self) -> Vec<String> {
         let Some(film) = self.current() else { return Vec::new() };
-        let sentence = |words: Words| units::sentence(&words.text(self.play.language()));
+        let sentence = |words: Words| units::sentence(&words.text(self.play.basis().language()));
         film.notes().into_iter().map(sentence).collect()
     }
 
@@ -57,7 +57,7 @@ impl<'a> ShownFilms<'a> {
         let row = table.frames.binary_search(&frame).ok()?;
         let text = |one: &film::table::Quantity| {
             let (value, sigma) = (*one.values.get(row)?, *one.sigmas.get(row)?);
-            let number = number::with_error(value, Some(sigma), self.play.style());
+            let number = number::with_error(value, Some(sigma), self.play.basis().style());
             value.is_finite().then(|| format!("{} = {number} {}", one.name, table.unit))
         };
         let texts: Vec<String> = table.quantities.get(track)?.iter().map(text).collect::<Option<_>>()?;

@@ -165,7 +165,7 @@ impl ShownFits<'_> {
             }
         });
         let count = self.play.model().parameters.len();
-        let zeros = words::zeros(self.play.language()).into_iter().zip(self.varied_zeros()).enumerate();
+        let zeros = words::zeros(self.play.basis().language()).into_iter().zip(self.varied_zeros()).enumerate();
         let zeros = zeros.map(|(place, (label, varied))| ChoiceView {
             index: count + place,
             name: String::new(),
@@ -220,14 +220,14 @@ impl ShownFits<'_> {
 
     /// Names of the loss functions, and the index of the chosen one.
     pub fn losses(self) -> (Vec<&'static str>, usize) {
-        let names = Loss::ALL.iter().map(|loss| loss.name(self.play.language())).collect();
+        let names = Loss::ALL.iter().map(|loss| loss.name(self.play.basis().language())).collect();
         (names, Loss::ALL.iter().position(|loss| *loss == self.fits.setup.loss).unwrap_or_default())
     }
 
     /// Texts of the fields for the start and the end of the fitted time window; empty if open.
     pub fn window(self) -> [String; 2] {
         let unit = &self.play.model().independent.unit;
-        let shown = |end: f64| number::plain(unit.from_si(end), 6, self.play.style());
+        let shown = |end: f64| number::plain(unit.from_si(end), 6, self.play.basis().style());
         self.fits.setup.window.map(|end| end.map_or_else(String::new, shown))
     }
 

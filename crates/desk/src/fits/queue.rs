@@ -288,7 +288,7 @@ impl<'a> ShownFits<'a> {
 
     /// Reason why a fit cannot be made, with the name of the record if it is one of several.
     fn fit_error(self, job: &Job, error: &FitError) -> String {
-        let why = fit_error(self.play.language(), error);
+        let why = fit_error(self.play.basis().language(), error);
         let place = match error {
             FitError::RecordEmpty(record) | FitError::BadErrors { record, .. } => *record,
             _ => return why,

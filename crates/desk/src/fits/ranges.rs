@@ -101,9 +101,10 @@ impl ShownFits<'_> {
         }
         let unit = &self.play.model().independent.unit;
         let shown = |period: f64| {
-            [&number::plain(unit.from_si(period), 3, self.play.style()), " ", &number::unit_text(&unit.text)].concat()
+            [&number::plain(unit.from_si(period), 3, self.play.basis().style()), " ", &number::unit_text(&unit.text)]
+                .concat()
         };
-        let language = self.play.language();
+        let language = self.play.basis().language();
         let ends = [shown(shortest), shown(longest)];
         Some(say!(
             language,

@@ -71,7 +71,7 @@ impl ShownFits<'_> {
         let bytes = match kind {
             ExportKind::Report => imprint.page(&report::html(&report)),
             ExportKind::Workbook => report::workbook(&report),
-            ExportKind::Csv => report::csv(&report, self.play.style().decimal_comma).into_bytes(),
+            ExportKind::Csv => report::csv(&report, self.play.basis().style().decimal_comma).into_bytes(),
         };
         Some(export(&name(fit), kind, bytes))
     }
@@ -87,7 +87,7 @@ impl ShownFits<'_> {
         let bytes = match kind {
             ExportKind::Report => imprint.page(&report::ranking_html(&ranking)),
             ExportKind::Workbook => report::ranking_workbook(&ranking),
-            ExportKind::Csv => report::ranking_csv(&ranking, self.play.style().decimal_comma).into_bytes(),
+            ExportKind::Csv => report::ranking_csv(&ranking, self.play.basis().style().decimal_comma).into_bytes(),
         };
         Some(export(&name(fit), kind, bytes))
     }
@@ -97,7 +97,7 @@ impl ShownFits<'_> {
         Report {
             document: &fit.document,
             document_name: file.filter(|name| !name.is_empty()).unwrap_or(&fit.document.program.title),
-            language: self.play.language(),
+            language: self.play.basis().language(),
             task: &fit.task,
             outcome: &fit.outcome,
             traces: &fit.traces,
@@ -111,7 +111,7 @@ impl ShownFits<'_> {
     }
 
     fn how_to_repeat(self, fit: &Fitted) -> &'static str {
-        words::how_to_repeat(self.play.language(), fit.definition.parts.len() > 1)
+        words::how_to_repeat(self.play.basis().language(), fit.definition.parts.len() > 1)
     }
 
     /// Findings about the data of a fit, one list per record.

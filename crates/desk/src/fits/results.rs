@@ -129,11 +129,17 @@ impl ShownFits<'_> {
     fn ranked(self, group: &[&Fitted]) -> Vec<FitView> {
         let outcomes: Vec<&Outcome> = group.iter().map(|fit| &fit.outcome).collect();
         let known = |value: f64, digits: usize| {
-            if value.is_finite() { number::fixed(value, digits, self.play.style()) } else { number::DASH.to_owned() }
+            if value.is_finite() {
+                number::fixed(value, digits, self.play.basis().style())
+            } else {
+                number::DASH.to_owned()
+            }
         };
-        let residuals = residuals(group, self.play.style());
+        let residuals = residuals(group, self.play.basis().style());
         let ranked = analysis::fit::rank(&outcomes);
-        let ties = analysis::fit::ties(&ranked, &outcomes, self.play.language(), |index| group[index].title(self.play));
+        let ties = analysis::fit::ties(&ranked, &outcomes, self.play.basis().language(), |index| {
+            group[index].title(self.play)
+        });
         let view = |place: analysis::fit::Ranked| {
             let fit = group.get(place.index)?;
             let outcome = &fit.outcome;
@@ -166,29 +172,31 @@ impl ShownFits<'_> {
     pub fn detail(self, id: u32) -> Option<FitDetail> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let outcome = &fit.outcome;
-        let plain = |value: f64, digits: usize| number::plain(value, digits, self.play.style());
-        let mut sentences = vec![outcome.verdict_text(self.play.language())];
+        let plain = |value: f64, digits: usize| number::plain(value, digits, self.play.basis().style());
+        let mut sentences = vec![outcome.verdict_text(self.play.basis().language())];
         let independent = &fit.document.program.model.independent;
         sentences.extend(report::remarks(
             outcome,
             &fit.task,
             (&independent.name, &independent.unit),
-            self.play.language(),
+            self.play.basis().language(),
         ));
-        sentences.extend(outcome.undetermined.iter().map(|one| one.text(self.play.language())));
+        sentences.extend(outcome.undetermined.iter().map(|one| one.text(self.play.basis().language())));
         if !outcome.converged {
-            sentences.push(words::not_converged(self.play.language()).to_owned());
+            sentences.push(words::not_converged(self.play.basis().language()).to_owned());
         }
-        sentences.extend(outcome.search_texts(self.play.language()));
+        sentences.extend(outcome.search_texts(self.play.basis().language()));
         sentences.extend(
-            outcome.rival_text(self.play.language(), |one, value| self.play.basis().quantity_text(value, &one.unit)),
+            outcome.rival_text(self.play.basis().language(), |one, value| {
+                self.play.basis().quantity_text(value, &one.unit)
+            }),
         );
-        sentences.extend(words::given_errors(self.play.language(), &fit.task));
+        sentences.extend(words::given_errors(self.play.basis().language(), &fit.task));
         sentences.extend(self.missing_errors(fit));
         sentences.extend(self.beginnings(fit));
         Some(FitDetail {
             theory: fit.title(self.play),
-            doubt: doubt(self.play.language(), outcome),
+            doubt: doubt(self.play.basis().language(), outcome),
             estimates: self.estimate_views(fit),
             sentences,
             statistics: vec![
@@ -212,7 +220,9 @@ impl ShownFits<'_> {
                 let missing = |errors: &Vec<f64>| errors.iter().filter(|error| !error.is_finite()).count();
                 let known = errors.map(|errors| (missing(&errors), errors.len())).filter(|(missing, _)| *missing > 0);
                 sentences.extend(
-                    known.map(|counts| words::missing_errors(self.play.language(), &part.name, &one.name, counts)),
+                    known.map(|counts| {
+                        words::missing_errors(self.play.basis().language(), &part.name, &one.name, counts)
+                    }),
                 );
             }
         }
@@ -226,7 +236,8 @@ impl ShownFits<'_> {
             let at = self.play.basis().quantity_text(*origin, &independent.unit);
             let at = format!("{} = {at}", independent.name);
             let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
-            let text = words::initial_values_hold(self.play.language(), &at, of_record.map(|one| one.early).sum());
+            let text =
+                words::initial_values_hold(self.play.basis().language(), &at, of_record.map(|one| one.early).sum());
             match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {
                 Some(part) => format!("{}: {text}", part.name),
                 None => text,
@@ -253,7 +264,7 @@ impl ShownFits<'_> {
             let measured: Vec<(f64, f64)> =
                 known.iter().map(|one| (one.value, error(one).map_or(f64::NAN, f64::abs))).collect();
             let unit = known.first().map_or_else(Unit::dimensionless, |one| one.unit.clone());
-            Group::of_errors(&unit, &measured, self.play.style())
+            Group::of_errors(&unit, &measured, self.play.basis().style())
         };
         let view = |(one, derived): (&Estimate, bool)| self.estimate_view(fit, one, derived, &group(&one.name));
         groups.flat_map(of).map(view).collect()
@@ -262,22 +273,22 @@ impl ShownFits<'_> {
     fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool, group: &Group) -> EstimateView {
         let error = error(one);
         let remark = if !one.determined {
-            words::undetermined(self.play.language()).to_owned()
-        } else if let Some(stopped) = one.stopped_text(self.play.language()) {
+            words::undetermined(self.play.basis().language()).to_owned()
+        } else if let Some(stopped) = one.stopped_text(self.play.basis().language()) {
             stopped.to_owned()
         } else if let Some(value) = self.truth(fit, one) {
             let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
             let truth = self.play.basis().quantity_text(value, group.unit());
             words::truth_is(
-                self.play.language(),
+                self.play.basis().language(),
                 &truth,
-                off.map(|off| number::fixed(off, 1, self.play.style())).as_deref(),
+                off.map(|off| number::fixed(off, 1, self.play.basis().style())).as_deref(),
             )
         } else {
             String::new()
         };
         let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
-        let label = report::label(&fit.document.program, self.play.language(), one);
+        let label = report::label(&fit.document.program, self.play.basis().language(), one);
         EstimateView {
             name: one.name.clone(),
             label: if label.is_empty() { play::symbol(&one.name) } else { label },

@@ -38,20 +38,24 @@ impl ShownFits<'_> {
     /// # Errors
     /// A record no longer exists, a fitted column is in pixels, or a record has no fitted column.
     pub(super) fn task(self, job: &Job) -> Result<Task, Refusal> {
-        let unknown = || Refusal::unknown(words::record(self.play.language()));
+        let unknown = || Refusal::unknown(words::record(self.play.basis().language()));
         let (document, definition) = (&job.document, &job.definition);
         let model = &document.program.model;
         let mut records = Vec::with_capacity(definition.parts.len());
         for part in &definition.parts {
             let record = self.records.get(part.record).ok_or_else(unknown)?;
             if let Some(used) = part.uses.iter().find(|used| used.fitted && lacks_scale(model, used)) {
-                let language = self.play.language();
+                let language = self.play.basis().language();
                 let why = format!("{}, {}: {}.", record.name(), used.meaning.quantity, no_scale(language));
                 return Err(Refusal::Fit { why });
             }
             let observations = observations(record, part, model);
             if observations.is_empty() && definition.parts.len() > 1 {
-                let why = format!("{}: {}", record.name(), fit_error(self.play.language(), &FitError::NothingObserved));
+                let why = format!(
+                    "{}: {}",
+                    record.name(),
+                    fit_error(self.play.basis().language(), &FitError::NothingObserved)
+                );
                 return Err(Refusal::Fit { why });
             }
             let (fixed, origin) = (part.fixed.clone(), part.origin);

@@ -17,7 +17,7 @@ impl MeasuredData {
             sources.dedup();
             play::Outline { follows: follows.clone(), sources, values: None }
         });
-        play.set_outline(outline);
+        play.change_values(|values| values.set_outline(outline));
     }
 
     /// Evaluates the outline at the shown time. It has no values if a column has none at that time.
@@ -37,7 +37,7 @@ impl MeasuredData {
             outline.routine.evaluate(course.time(), course.state(), &mut outline.values);
         }
         let values = there.then_some(&outline.values[..]);
-        play.set_outline_values(values);
+        play.change_values(|shown| shown.set_outline_values(values));
     }
 
     fn make_outline(&self, play: &Play, document: &Document) -> Option<(Outline, Vec<Follows>)> {

@@ -51,7 +51,7 @@ impl MeasuredData {
             for (number, points) in points.iter_mut().enumerate() {
                 points.version = self.version_of(number);
             }
-            play.change_plots(|plots| plots.set_points(plot, points));
+            play.change_plots(|plots, _| plots.set_points(plot, points));
         }
         self.begin_outline(play, document);
         self.begin_residuals(play);

@@ -35,7 +35,7 @@ impl MeasuredData {
             });
         }
         let offered = self.has_points();
-        if let Some(plot) = play.added_plot(self.plot) {
+        let change = |plot: &mut AddedPlot| {
             let labels = std::mem::take(&mut plot.labels);
             let x_includes = Some(whole);
             *plot = AddedPlot {
@@ -47,7 +47,8 @@ impl MeasuredData {
                 offered,
                 ..AddedPlot::default()
             };
-        }
+        };
+        play.change_plots(|plots, _| plots.change_added(self.plot, change));
         self.label_residuals(play);
     }
 
@@ -73,21 +74,26 @@ impl MeasuredData {
             let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
             for (row, (&time, &value)) in rest.take(SLICE).take_while(|(_, (time, _))| **time <= front) {
                 residuals.passed += 1;
-                let Some(parameters) = play.state_at(time, &mut state).filter(|_| time >= 0.0) else { continue };
+                let Some(parameters) =
+                    play.change_run(|line, _| line.state_at(time, &mut state)).filter(|_| time >= 0.0)
+                else {
+                    continue;
+                };
                 let computed = residuals.readings.at(&parameters, play.course().initial(), time, &state);
                 let left = value - computed.first().copied().unwrap_or(f64::NAN);
                 x.push(unit.from_si(time));
                 y.push(measured.observed.unit.from_si(left));
                 errors.extend(measured.errors.get(row).map(|error| measured.observed.unit.from_si(*error)));
             }
-            let plot = play.added_plot(self.plot);
-            if let Some(series) = plot.and_then(|plot| plot.series.get_mut(number)) {
-                series.x.append(&mut x);
-                series.y.append(&mut y);
-                series.errors.append(&mut errors);
-            }
+            let append = |plot: &mut AddedPlot| {
+                if let Some(series) = plot.series.get_mut(number) {
+                    series.x.append(&mut x);
+                    series.y.append(&mut y);
+                    series.errors.append(&mut errors);
+                }
+            };
+            play.change_plots(|plots, _| plots.change_added(self.plot, append));
         }
-        play.added_plot_changed(self.plot);
     }
 
     /// Drops the residuals after `time` (SI), where the run was discarded.
@@ -97,19 +103,24 @@ impl MeasuredData {
         for (residuals, measured) in self.residuals.iter_mut().zip(&self.columns) {
             residuals.passed = residuals.passed.min(measured.times.partition_point(|&at| at <= time));
         }
-        let Some(plot) = play.added_plot(self.plot) else { return };
-        for (number, series) in plot.series.iter_mut().enumerate() {
-            let kept = series.x.partition_point(|&at| at <= last);
-            series.x.truncate(kept);
-            series.y.truncate(kept);
-            series.errors.truncate(kept);
-            series.version = self.version_of(number);
+        if self.columns.is_empty() {
+            return;
         }
+        let truncate = |plot: &mut AddedPlot| {
+            for (number, series) in plot.series.iter_mut().enumerate() {
+                let kept = series.x.partition_point(|&at| at <= last);
+                series.x.truncate(kept);
+                series.y.truncate(kept);
+                series.errors.truncate(kept);
+                series.version = self.version_of(number);
+            }
+        };
+        play.change_plots(|plots, _| plots.change_added(self.plot, truncate));
     }
 
     /// Sets the texts of the plot of the residuals.
     pub(crate) fn label_residuals(&self, play: &mut Play) {
-        let [title, left_over] = words::residuals(play.language());
+        let [title, left_over] = words::residuals(play.basis().language());
         let independent = &play.model().independent;
         let names: Vec<String> = self.columns.iter().map(|measured| format!("Δ{}", symbol(&measured.name))).collect();
         let mut axes: Vec<(String, &Unit)> = Vec::new();
@@ -135,9 +146,6 @@ impl MeasuredData {
             curves,
             ..Labels::default()
         };
-        if let Some(plot) = play.added_plot(self.plot) {
-            plot.labels = labels;
-        }
-        play.added_plot_changed(self.plot);
+        play.change_plots(|plots, _| plots.change_added(self.plot, |plot| plot.labels = labels));
     }
 }

@@ -11,8 +11,9 @@ impl ShownRecords<'_> {
         let values =
             self.records.get(id).and_then(|record| record.table.columns.get(column)).map(|column| &column.values);
         let rows = values.and_then(|values| values.get(rows.start..rows.end.min(values.len()))).unwrap_or_default();
-        let cell =
-            |value: &f64| if value.is_nan() { String::new() } else { number::plain(*value, 6, self.open.play.style()) };
+        let cell = |value: &f64| {
+            if value.is_nan() { String::new() } else { number::plain(*value, 6, self.open.play.basis().style()) }
+        };
         rows.iter().map(cell).collect()
     }
 

@@ -100,7 +100,7 @@ impl ShownRecords<'_> {
                     && used.meaning.quantity != *independent,
                 made: record
                     .how_made(index)
-                    .map(|made| differentiation(self.open.play.language(), made.how))
+                    .map(|made| differentiation(self.open.play.basis().language(), made.how))
                     .unwrap_or_default(),
             }
         };
@@ -111,12 +111,12 @@ impl ShownRecords<'_> {
             shown: record.shown,
             synthetic: record.truth.is_some(),
             lasting: self.records.is_lasting(record.id),
-            variables: record.variables(self.open.play.language()),
+            variables: record.variables(self.open.play.basis().language()),
             columns: record.table.columns.iter().zip(&record.uses).enumerate().map(column).collect(),
             findings: record
                 .findings
                 .iter()
-                .map(|finding| sentence(&finding.text(self.open.play.language())))
+                .map(|finding| sentence(&finding.text(self.open.play.basis().language())))
                 .collect(),
         }
     }

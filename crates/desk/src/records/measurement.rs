@@ -41,7 +41,7 @@ impl MeasurementForm {
         // The amplitude then covers about 100 pixels, the whole swing about 200.
         let pixel = number::roundest(size / 120.0, size / 80.0);
         let duration = independent.unit.to_si(10.0);
-        let shown = |value: f64| number::plain(value, 6, play.style());
+        let shown = |value: f64| number::plain(value, 6, play.basis().style());
         Self {
             quantity: state.name(),
             fields: [

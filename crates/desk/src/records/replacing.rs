@@ -79,7 +79,7 @@ impl Records {
         let Some(parameter) = open.play.model().parameters.get(index) else { return String::new() };
         let slider = open.play.course().parameters().get(index).copied().unwrap_or(parameter.value);
         let value = self.get(id).and_then(|record| record.known.get(&parameter.name).copied()).unwrap_or(slider);
-        number::plain(parameter.unit.from_si(value), play::DIGITS, open.play.style())
+        number::plain(parameter.unit.from_si(value), play::DIGITS, open.play.basis().style())
     }
 
     /// Sets the value of a parameter in one record from typed text. Empty text restores the value of the slider.

@@ -76,7 +76,7 @@ impl Records {
         let mut play = Play::open(theory.program);
         for (parameter, value) in *settings {
             let index = play.model().parameters.iter().position(|one| one.name == *parameter).ok_or_else(unknown)?;
-            play.set_parameter(index, *value)?;
+            play.change_settings(|settings| settings.set_parameter(index, *value))?;
         }
         let text = measured_text(&play, "y", camera)?;
         self.insert(open, &name, text.as_bytes(), Some(truth_of(&play)))

@@ -31,10 +31,10 @@ pub(super) fn understood(play: &Play, record: &Record, index: usize) -> Understo
         return Understood::default();
     }
     if used.stated {
-        return Understood { origin: UnitOrigin::Person.text(play.language()), ..Understood::default() };
+        return Understood { origin: UnitOrigin::Person.text(play.basis().language()), ..Understood::default() };
     }
     let assumed = column.unit.is_none() && !asked;
-    let language = play.language();
+    let language = play.basis().language();
     let origin = match assumed {
         _ if lacks_scale => no_scale(language).to_owned(),
         true => language.say("assumed: the file states none").to_owned(),

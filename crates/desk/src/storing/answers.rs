@@ -13,7 +13,7 @@ pub fn saved_answers(play: &Play) -> Vec<(String, Item)> {
 /// Restores the answer to the question of this name. Returns true if the item is an answer and the question exists.
 pub fn restore_answer(play: &mut Play, question: &str, item: &Item) -> bool {
     let Content::Answer(answer) = &item.0 else { return false };
-    play.restore_answer(question, &restored(answer))
+    play.change_answers(|answers, run| answers.restore(run, question, &restored(answer)))
 }
 
 fn stored(answer: Answer) -> format::Answer {

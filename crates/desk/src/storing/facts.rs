@@ -6,7 +6,7 @@ use crate::Desk;
 use crate::films::record::{table, text};
 use crate::films::work::Work;
 use crate::records::record::Record;
-use play::name_of;
+use play::{facts_of_answers, facts_of_run, name_of};
 use saved::hand_in::{FOLLOWS, FOLLOWS_NOT, Fact, Part};
 
 /// Values that follow from the present work, in SI units: states and parameters of the run and of the kept runs at their
@@ -15,8 +15,8 @@ use saved::hand_in::{FOLLOWS, FOLLOWS_NOT, Fact, Part};
 pub fn facts(desk: &Desk) -> Vec<Fact> {
     let (play, records) = (desk.play(), desk.records().records());
     let mut facts = Facts::default();
-    facts.take(Part::Run, play.facts_of_run(name_of(&[&desk.document().source])));
-    facts.take(Part::Answer, play.facts_of_answers());
+    facts.take(Part::Run, facts_of_run(play, name_of(&[&desk.document().source])));
+    facts.take(Part::Answer, facts_of_answers(play));
     for (id, name) in records.names() {
         let Some(record) = records.get(id) else { continue };
         let item = facts.item(Part::Record, record.name().to_owned());

@@ -64,42 +64,46 @@ fn action() -> impl Strategy<Value = Action> {
 fn perform(desk: &mut Desk, action: Action) {
     match action {
         Action::Tick(seconds) => {
-            desk.play_mut().tick(seconds);
+            desk.play_mut().change_run(|line, _| line.tick(seconds));
         }
-        Action::Toggle => desk.play_mut().toggle(),
-        Action::StepForward => desk.play_mut().step_forward(),
-        Action::StepBack => desk.play_mut().step_back(),
-        Action::Reset => desk.play_mut().back_to_start(),
-        Action::Scrub(time) => desk.play_mut().scrub(time),
-        Action::Speed(speed) => desk.play_mut().set_speed(speed),
-        Action::Slide(index, position) => desk.play_mut().slide(index, position),
-        Action::Set(index, value) => drop(desk.play_mut().set_parameter(index, value)),
-        Action::Type(index, text) => drop(desk.play_mut().set_parameter_text(index, &text)),
-        Action::State(index, value) => drop(desk.play_mut().set_state(index, value)),
+        Action::Toggle => desk.play_mut().change_run(|line, _| line.toggle()),
+        Action::StepForward => desk.play_mut().change_run(|line, _| line.step_forward()),
+        Action::StepBack => desk.play_mut().change_run(|line, _| line.step_back()),
+        Action::Reset => desk.play_mut().change_run(|line, basis| line.back_to_start(basis)),
+        Action::Scrub(time) => desk.play_mut().change_run(|line, _| line.scrub(time)),
+        Action::Speed(speed) => desk.play_mut().change_run(|line, _| line.set_speed(speed)),
+        Action::Slide(index, position) => desk.play_mut().change_settings(|settings| settings.slide(index, position)),
+        Action::Set(index, value) => {
+            drop(desk.play_mut().change_settings(|settings| settings.set_parameter(index, value)))
+        }
+        Action::Type(index, text) => {
+            drop(desk.play_mut().change_settings(|settings| settings.set_parameter_text(index, &text)))
+        }
+        Action::State(index, value) => {
+            drop(desk.play_mut().change_settings(|settings| settings.set_state(index, value)))
+        }
         Action::Drag(right, up) => {
-            desk.play_mut().drag_begin(&program::Drag {
-                target: program::Dragged::State(0),
-                up: Some(0),
-                right: Some(1),
+            desk.play_mut().change_settings(|settings| {
+                settings.drag_begin(&program::Drag { target: program::Dragged::State(0), up: Some(0), right: Some(1) })
             });
-            desk.play_mut().drag_move(right, up);
-            desk.play_mut().drag_end();
+            desk.play_mut().change_settings(|settings| settings.drag_move(right, up));
+            desk.play_mut().change_settings(|settings| settings.drag_end());
         }
-        Action::Preset(index) => drop(desk.play_mut().apply_preset(index)),
-        Action::Keep => drop(desk.play_mut().keep()),
-        Action::Remove(id) => desk.play_mut().remove_kept(id),
+        Action::Preset(index) => drop(desk.play_mut().change_settings(|settings| settings.apply_preset(index))),
+        Action::Keep => drop(desk.play_mut().change_run(|line, basis| line.keep(basis))),
+        Action::Remove(id) => desk.play_mut().change_run(|line, basis| line.remove_kept(basis, id)),
         Action::Method(index) => {
             let name = desk.play().basis().methods(desk.play().course())[index].name;
-            drop(desk.play_mut().set_method(name));
+            drop(desk.play_mut().change_settings(|settings| settings.set_method(name)));
         }
-        Action::Step(step) => drop(desk.play_mut().set_step(step)),
+        Action::Step(step) => drop(desk.play_mut().change_settings(|settings| settings.set_step(step))),
         Action::Zoom(at, factor) => {
-            desk.play_mut().change_plots(|plots| {
+            desk.play_mut().change_plots(|plots, _| {
                 plots.zoom(PlotId::at(0), Some(Point { x: at as f32, y: at as f32 }), factor, Direction::Both)
             });
-            desk.play_mut().change_plots(|plots| plots.pan(PlotId::at(1), at, factor));
+            desk.play_mut().change_plots(|plots, _| plots.pan(PlotId::at(1), at, factor));
         }
-        Action::Answer(text) => drop(desk.play_mut().check_answer(0, &text)),
+        Action::Answer(text) => drop(desk.play_mut().change_answers(|answers, run| answers.check(run, 0, &text))),
         Action::Reopen => {
             let fragment = desk.play().share();
             let before =
@@ -121,13 +125,13 @@ fn look(desk: &mut Desk) {
     assert_eq!(desk.play().values().table_length(), desk.play().values().csv().lines().count() - 1);
     assert!(desk.play().values().table_row_now() < desk.play().values().table_length());
     desk.play_mut().readouts();
-    desk.play_mut().scene_values();
+    desk.play_mut().scene().values();
     desk.play().controls().presets(desk.play().basis(), desk.play().course());
     assert!(desk.play().time_line().kept(desk.play().basis()).len() <= play::MOST_KEPT);
     for plot in 0..3 {
         followed(desk).layout_plot(PlotId::at(plot), &Settings::default());
-        followed(desk).move_cursor(PlotId::at(plot), 3);
-        followed(desk).hover_plot(PlotId::at(plot), Point { x: 300.0, y: 100.0 });
+        followed(desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(plot), 3));
+        followed(desk).change_plots(|plots, run| plots.hover(run, PlotId::at(plot), Point { x: 300.0, y: 100.0 }));
     }
     while let Some(announcement) = desk.take_announcement() {
         announcement.text(desk.play());

@@ -92,7 +92,8 @@ fn read(desk: &mut Desk, x: f64) -> Vec<String> {
     let figure = followed(desk).layout_plot(index, &Settings::default()).unwrap();
     let (across, panel) = (figure.x_scale().unwrap().pixel(x), figure.panel);
     let at = Point { x: across as f32, y: panel.y + panel.height / 2.0 };
-    let readout = followed(desk).hover_plot(index, at).expect("there is something at this time");
+    let readout =
+        followed(desk).change_plots(|plots, run| plots.hover(run, index, at)).expect("there is something at this time");
     readout.samples.into_iter().map(|sample| sample.text).collect()
 }
 
@@ -122,9 +123,9 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
     assert!(!measured.iter().any(|text| text.starts_with("simulation")), "{measured:?}");
     // The cycles of a run with another frequency appear once it is paused.
     set(&mut desk, "b", 0.0);
-    desk.play_mut().play();
-    (0..500).for_each(|_| assert!(desk.play_mut().tick(0.05)));
-    desk.play_mut().pause();
+    desk.play_mut().change_run(|line, _| line.play());
+    (0..500).for_each(|_| assert!(desk.play_mut().change_run(|line, _| line.tick(0.05))));
+    desk.play_mut().change_run(|line, _| line.pause());
     let beside = read(&mut desk, 10.0);
     let omega = (2.0_f64 * 9.8 / 7.0).sqrt();
     let run = beside.iter().find_map(|text| text.strip_prefix("simulation = ")).expect("the run has cycles");
@@ -135,7 +136,9 @@ fn the_plot_reads_values_with_errors_and_the_run_beside_them() {
         desk.change_cycles(|cycles| cycles.show(frequency, against_amplitude));
         followed(&mut desk).layout_plot(index, &Settings::default());
         let at = |desk: &mut Desk| {
-            let readout = followed(desk).move_cursor(index, 1).expect("there is a next one");
+            let readout = followed(desk)
+                .change_plots(|plots, run| plots.move_cursor(run, index, 1))
+                .expect("there is a next one");
             assert!(readout.samples.iter().any(|sample| sample.text.contains(" ± ")), "{readout:?}");
             readout.heading
         };

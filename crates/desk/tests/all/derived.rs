@@ -95,7 +95,7 @@ fn measured_points_are_read_beside_the_curve() {
     let read = |desk: &mut Desk, time: f64| {
         let figure = followed(desk).layout_plot(PlotId::at(0), &Settings::default()).unwrap();
         let at = Point { x: figure.x_scale().unwrap().pixel(time) as f32, y: figure.panel.y + 10.0 };
-        let readout = followed(desk).hover_plot(PlotId::at(0), at);
+        let readout = followed(desk).change_plots(|plots, run| plots.hover(run, PlotId::at(0), at));
         readout.map(|readout| readout.samples.into_iter().map(|sample| sample.text).collect::<Vec<_>>())
     };
     // Before the run starts only measured points are read.
@@ -110,9 +110,14 @@ fn measured_points_are_read_beside_the_curve() {
     let figure =
         followed(&mut desk).layout_plot(PlotId::at(0), &Settings { width: 2000.0, ..Settings::default() }).unwrap();
     let at = Point { x: figure.x_scale().unwrap().pixel(1.5) as f32, y: figure.panel.y + 10.0 };
-    assert_eq!(followed(&mut desk).hover_plot(PlotId::at(0), at).unwrap().samples.len(), 2);
+    assert_eq!(
+        followed(&mut desk).change_plots(|plots, run| plots.hover(run, PlotId::at(0), at)).unwrap().samples.len(),
+        2
+    );
     // The keyboard cursor continues from the pointer's position and also reads measured points.
     read(&mut desk, 0.55);
-    let readout = followed(&mut desk).move_cursor(PlotId::at(0), -1).expect("the cursor is on the run");
+    let readout = followed(&mut desk)
+        .change_plots(|plots, run| plots.move_cursor(run, PlotId::at(0), -1))
+        .expect("the cursor is on the run");
     assert!(readout.samples.iter().any(|sample| sample.text.starts_with("film.txt: ")), "{readout:?}");
 }

@@ -71,11 +71,11 @@ fn residuals_of_a_long_record_follow_in_slices() {
     let rows: String = (0..30_000).map(|row| format!("{}\t0.1\n", f64::from(row) * 1e-4)).collect();
     let mut desk = utube();
     desk.add_record("long", format!("t [s]\ty [m]\n{rows}").as_bytes()).unwrap();
-    desk.play_mut().play();
+    desk.play_mut().change_run(|line, _| line.play());
     for _ in 0..40 {
-        desk.play_mut().tick(0.1);
+        desk.play_mut().change_run(|line, _| line.tick(0.1));
     }
-    desk.play_mut().pause();
+    desk.play_mut().change_run(|line, _| line.pause());
     let settings = figure::Settings::default();
     let plots = desk.play().plots().list().len();
     let mut frames = 0;

@@ -48,18 +48,18 @@ fn a_paused_change_of_parameters_is_read_at_once() {
 #[test]
 fn the_scene_has_numbers_for_attributes_and_words_for_texts() {
     let mut desk = utube();
-    let values = desk.play_mut().scene_values().to_vec();
+    let values = desk.play_mut().scene().values().to_vec();
     assert!(values.contains(&0.5) && values.contains(&80.0), "{values:?}");
     let y = values.iter().position(|value| *value == 0.5).unwrap();
-    assert_eq!(desk.play_mut().scene_text(y, None), "0.5000 m");
-    assert_eq!(desk.play_mut().scene_text(y, Some(1)), "0.5 m");
-    desk.play_mut().play();
-    desk.play_mut().tick(0.5);
-    assert!(desk.play_mut().scene_values()[y] < 0.5);
+    assert_eq!(desk.play_mut().scene().text(y, None), "0.5000 m");
+    assert_eq!(desk.play_mut().scene().text(y, Some(1)), "0.5 m");
+    desk.play_mut().change_run(|line, _| line.play());
+    desk.play_mut().change_run(|line, _| line.tick(0.5));
+    assert!(desk.play_mut().scene().values()[y] < 0.5);
     desk.set_language("es");
-    let texts: Vec<String> = (0..values.len()).map(|index| desk.play_mut().scene_text(index, None)).collect();
+    let texts: Vec<String> = (0..values.len()).map(|index| desk.play_mut().scene().text(index, None)).collect();
     assert!(texts.contains(&"subamortiguado".to_owned()), "{texts:?}");
-    assert_eq!(desk.play_mut().scene_text(99, None), "");
+    assert_eq!(desk.play_mut().scene().text(99, None), "");
 }
 
 #[test]
@@ -96,9 +96,9 @@ fn the_file_is_that_of_a_run_without_a_session() {
     let mut desk = utube();
     set(&mut desk, "b", 200.0);
     play(&mut desk, [0.3, 0.017, 1.0, 0.7]);
-    desk.play_mut().scrub(0.42);
+    desk.play_mut().change_run(|line, _| line.scrub(0.42));
     play(&mut desk, [1.58]);
-    desk.play_mut().scrub(2.0);
+    desk.play_mut().change_run(|line, _| line.scrub(2.0));
 
     let model = desk.play().model();
     let mut setup = Setup::defaults(model);
@@ -129,18 +129,18 @@ fn plots_grow_with_the_run_and_end_at_the_moment_shown() {
         desk.play().plots().list().into_iter().filter(|plot| plot.offered).map(|plot| plot.title).collect();
     assert_eq!(titles, ["Motion", "Phase portrait", "Energies"]);
     let empty = points(&mut desk, 0);
-    desk.play_mut().play();
+    desk.play_mut().change_run(|line, _| line.play());
     let mut before = empty;
     for _ in 0..5 {
-        desk.play_mut().tick(1.0);
+        desk.play_mut().change_run(|line, _| line.tick(1.0));
         let now = points(&mut desk, 0);
         assert!(now > before, "{now} after {before}");
         before = now;
     }
     // The last point is the moment shown, between two rows.
-    desk.play_mut().tick(0.02);
+    desk.play_mut().change_run(|line, _| line.tick(0.02));
     followed(&mut desk).layout_plot(PlotId::at(0), &Settings::default());
-    let readout = followed(&mut desk).move_cursor(PlotId::at(0), 1).unwrap();
+    let readout = followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(0), 1)).unwrap();
     assert!(readout.heading.contains("5.02"), "{}", readout.heading);
     assert!(followed(&mut desk).layout_plot(PlotId::at(9), &Settings::default()).is_none());
 }
@@ -172,18 +172,22 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
     play(&mut desk, [5.0]);
     let panel = followed(&mut desk).layout_plot(PlotId::at(0), &Settings::default()).unwrap().panel;
     let middle = Point { x: panel.x + panel.width / 4.0, y: panel.y + panel.height / 2.0 };
-    let hovered = followed(&mut desk).hover_plot(PlotId::at(0), middle).unwrap();
+    let hovered = followed(&mut desk).change_plots(|plots, run| plots.hover(run, PlotId::at(0), middle)).unwrap();
     assert_eq!(hovered.samples.len(), 2);
     assert!(hovered.samples[0].text.starts_with("y = "), "{hovered:?}");
     let row = hovered.samples[0].row;
-    let next = followed(&mut desk).move_cursor(PlotId::at(0), 1).unwrap();
+    let next = followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(0), 1)).unwrap();
     assert_eq!(next.samples[0].row, row + 1);
     let apart = desk.play().plots().difference(PlotId::at(0), &hovered, &next);
     assert!(apart[0].starts_with("Δt = 0.0") && apart[1].starts_with("Δy = ") && apart.len() == 3, "{apart:?}");
-    assert!(followed(&mut desk).hover_plot(PlotId::at(0), Point { x: -1.0, y: 0.0 }).is_none());
     assert!(
-        followed(&mut desk).hover_plot(PlotId::at(9), middle).is_none()
-            && followed(&mut desk).move_cursor(PlotId::at(9), 1).is_none()
+        followed(&mut desk)
+            .change_plots(|plots, run| plots.hover(run, PlotId::at(0), Point { x: -1.0, y: 0.0 }))
+            .is_none()
+    );
+    assert!(
+        followed(&mut desk).change_plots(|plots, run| plots.hover(run, PlotId::at(9), middle)).is_none()
+            && followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(9), 1)).is_none()
     );
 }
 
@@ -191,14 +195,15 @@ fn plots_are_read_by_pointer_and_by_keyboard() {
 fn kept_runs_are_read_by_their_names_and_ghosts_not_at_all() {
     let mut desk = utube();
     play(&mut desk, [5.0]);
-    desk.play_mut().keep().unwrap();
+    desk.play_mut().change_run(|line, basis| line.keep(basis)).unwrap();
     set(&mut desk, "h_l", 4.0);
     assert!(desk.play().time_line().has_ghost());
     play(&mut desk, [5.0]);
     for plot in [0, 1] {
         followed(&mut desk).layout_plot(PlotId::at(plot), &Settings::default());
-        followed(&mut desk).move_cursor(PlotId::at(plot), -1000);
-        let texts = followed(&mut desk).move_cursor(PlotId::at(plot), 0).unwrap().samples;
+        followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(plot), -1000));
+        let texts =
+            followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(plot), 0)).unwrap().samples;
         let texts: Vec<String> = texts.into_iter().map(|sample| sample.text.replace('\u{a0}', " ")).collect();
         let expected: &[&str] = match plot {
             0 => &["y (initial settings) = 0.5", "y′ (initial settings) = 0", "y = 1", "y′ = 0"],
@@ -215,19 +220,19 @@ fn zoom_and_pan_hold_until_reset() {
     play(&mut desk, [5.0]);
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
     assert!(desk.play().plots().list()[1].automatic);
-    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(1), None, 2.0, Direction::Both));
+    desk.play_mut().change_plots(|plots, _| plots.zoom(PlotId::at(1), None, 2.0, Direction::Both));
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    desk.play_mut().change_plots(|plots| plots.pan(PlotId::at(1), 10.0, 0.0));
+    desk.play_mut().change_plots(|plots, _| plots.pan(PlotId::at(1), 10.0, 0.0));
     assert!(!desk.play().plots().list()[1].automatic && desk.play().plots().list()[0].automatic);
     let before = desk.play().plots().figure(PlotId::at(1)).unwrap().x_scale().copied();
     play(&mut desk, [1.0]);
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
-    desk.play_mut().change_plots(|plots| plots.reset(PlotId::at(1)));
+    desk.play_mut().change_plots(|plots, _| plots.reset(PlotId::at(1)));
     followed(&mut desk).layout_plot(PlotId::at(1), &Settings::default());
     assert!(desk.play().plots().list()[1].automatic);
     assert_ne!(desk.play().plots().figure(PlotId::at(1)).unwrap().x_scale().copied(), before);
-    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(1), None, f64::NAN, Direction::Both));
-    desk.play_mut().change_plots(|plots| plots.zoom(PlotId::at(9), None, 2.0, Direction::Both));
+    desk.play_mut().change_plots(|plots, _| plots.zoom(PlotId::at(1), None, f64::NAN, Direction::Both));
+    desk.play_mut().change_plots(|plots, _| plots.zoom(PlotId::at(9), None, 2.0, Direction::Both));
     assert!(desk.play().plots().list()[1].automatic);
 }
 
@@ -258,20 +263,23 @@ fn answers_are_judged() {
         ("long", Grade::Unreadable),
         ("3.76 m", Grade::Unreadable),
     ] {
-        assert_eq!(desk.play_mut().check_answer(0, text).grade, grade, "{text}");
+        assert_eq!(desk.play_mut().change_answers(|answers, run| answers.check(run, 0, text)).grade, grade, "{text}");
     }
     assert_eq!(
-        desk.play_mut().check_answer(0, "3.76 m").text,
+        desk.play_mut().change_answers(|answers, run| answers.check(run, 0, "3.76 m")).text,
         "m measures something else; a unit such as s is needed."
     );
     assert_eq!(
-        (desk.play_mut().reveal_answer(0).as_str(), desk.play().basis().question_unit(0).as_str()),
+        (
+            desk.play_mut().change_answers(|answers, run| answers.reveal(run, 0)).as_str(),
+            desk.play().basis().question_unit(0).as_str()
+        ),
         ("3.758 s", "s")
     );
     set(&mut desk, "b", 5000.0);
-    assert_eq!(desk.play_mut().check_answer(0, "3.76").grade, Grade::Unanswerable);
-    assert_eq!(desk.play_mut().reveal_answer(0), "–");
-    assert_eq!(desk.play_mut().check_answer(9, "1").grade, Grade::Unanswerable);
+    assert_eq!(desk.play_mut().change_answers(|answers, run| answers.check(run, 0, "3.76")).grade, Grade::Unanswerable);
+    assert_eq!(desk.play_mut().change_answers(|answers, run| answers.reveal(run, 0)), "–");
+    assert_eq!(desk.play_mut().change_answers(|answers, run| answers.check(run, 9, "1")).grade, Grade::Unanswerable);
 }
 
 #[test]
@@ -280,8 +288,8 @@ fn a_question_may_suppose_other_parameters() {
     assert_eq!(desk.play().answers().setup(desk.play().basis(), desk.play().course(), 0), None);
     let supposed = [("b", "0 kg/s"), ("h_l", "4 m")].map(|(name, value)| (name.to_owned(), value.to_owned())).to_vec();
     assert_eq!(desk.play().answers().setup(desk.play().basis(), desk.play().course(), 1), Some((supposed, false)));
-    assert_eq!(desk.play_mut().check_answer(1, "1").grade, Grade::Correct);
-    assert_eq!(desk.play_mut().reveal_answer(1), "1 m");
+    assert_eq!(desk.play_mut().change_answers(|answers, run| answers.check(run, 1, "1")).grade, Grade::Correct);
+    assert_eq!(desk.play_mut().change_answers(|answers, run| answers.reveal(run, 1)), "1 m");
     desk.play_mut().apply_question_setup(1).unwrap();
     assert_eq!(crate::support::state(&desk), [1.0, 0.0]);
     assert_eq!(
@@ -294,18 +302,18 @@ fn a_question_may_suppose_other_parameters() {
 #[test]
 fn the_displacement_is_heard_while_it_moves() {
     let mut desk = utube();
-    assert_eq!(desk.play().pitch(), None);
+    assert_eq!(desk.play().controls().pitch(desk.play().time_line()), None);
     set(&mut desk, "b", 0.0);
-    desk.play_mut().play();
-    assert_eq!(desk.play().pitch(), Some(880.0));
+    desk.play_mut().change_run(|line, _| line.play());
+    assert_eq!(desk.play().controls().pitch(desk.play().time_line()), Some(880.0));
     // Quarters of the period 2 pi / sqrt(2.8) s.
     for expected in [440.0, 220.0, 440.0, 880.0] {
-        desk.play_mut().tick(3.754_93 / 4.0);
-        let pitch = desk.play().pitch().unwrap();
+        desk.play_mut().change_run(|line, _| line.tick(3.754_93 / 4.0));
+        let pitch = desk.play().controls().pitch(desk.play().time_line()).unwrap();
         assert!((pitch - expected).abs() < 0.1, "{pitch}");
     }
-    desk.play_mut().pause();
-    assert_eq!(desk.play().pitch(), None);
+    desk.play_mut().change_run(|line, _| line.pause());
+    assert_eq!(desk.play().controls().pitch(desk.play().time_line()), None);
 }
 
 #[test]
@@ -319,7 +327,7 @@ fn units_other_than_si_are_shown_everywhere() {
         desk.play().basis().parameter(desk.play().course(), 1).unwrap().slider.map(|slider| slider.position),
         Some(15)
     );
-    desk.play_mut().slide(1, 16);
+    desk.play_mut().change_settings(|settings| settings.slide(1, 16));
     assert_eq!(
         (
             desk.play().basis().parameter(desk.play().course(), 1).unwrap().text.as_str(),
@@ -328,6 +336,6 @@ fn units_other_than_si_are_shown_everywhere() {
         ("260", 0.26)
     );
     followed(&mut desk).layout_plot(PlotId::at(0), &Settings::default());
-    let readout = followed(&mut desk).move_cursor(PlotId::at(0), 0).unwrap();
+    let readout = followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(0), 0)).unwrap();
     assert_eq!(readout.samples[0].y, 5.0);
 }

@@ -163,15 +163,15 @@ fn a_measurement_without_errors_leaves_nothing_over() {
     );
     let residuals = desk.document().program.plots.len();
     assert!(desk.play().plots().list()[residuals].offered);
-    desk.play_mut().play();
-    (0..40).for_each(|_| assert!(desk.play_mut().tick(0.05)));
-    desk.play_mut().pause();
+    desk.play_mut().change_run(|line, _| line.play());
+    (0..40).for_each(|_| assert!(desk.play_mut().change_run(|line, _| line.tick(0.05))));
+    desk.play_mut().change_run(|line, _| line.pause());
     let plot = dots(&mut desk, residuals);
     // Residuals exist up to the front of the run. The position is exact to the step of the run.
     let (zero, finite): (Vec<_>, Vec<_>) = plot.iter().partition(|(_, left)| left.abs() < 1e-4);
     assert!(zero.len() > 50 && zero.iter().all(|(time, _)| *time <= desk.play().course().time() + 1e-6), "{plot:?}");
     assert!(finite.iter().all(|(_, left)| left.abs() < 0.01), "{finite:?}");
-    desk.play_mut().back_to_start();
+    desk.play_mut().change_run(|line, basis| line.back_to_start(basis));
     assert!(dots(&mut desk, residuals).len() <= 2);
 }
 
@@ -195,26 +195,27 @@ fn each_error_of_a_measurement_is_checked() {
 #[test]
 fn the_ghost_shows_the_measured_level() {
     for (mut desk, names) in [(utube(), 2), (Desk::open(theory("linear")), 1), (Desk::open(theory("cosine")), 1)] {
-        assert!(followed(&mut desk).outline().is_none_or(|outline| outline.values.is_none()));
+        assert!(followed(&mut desk).values().outline().is_none_or(|outline| outline.values.is_none()));
         // A state that the model never has, so that no computed value equals it.
         desk.add_record("a", "t y\n0 0.01\n0.1 0.03\n0.2 0.02\n0.3 0.01\n1.2 0\n1.3 0.01\n".as_bytes()).unwrap();
-        let follows = followed(&mut desk).outline().map_or_else(Vec::new, |outline| outline.follows.clone());
+        let follows = followed(&mut desk).values().outline().map_or_else(Vec::new, |outline| outline.follows.clone());
         assert!(follows.iter().filter(|follows| **follows == Follows::Measured).count() >= names);
         let moved: Vec<usize> = (0..follows.len()).filter(|&index| follows[index] == Follows::Measured).collect();
         let ghost = |desk: &mut Desk| {
             followed(desk)
+                .values()
                 .outline()
                 .and_then(|outline| outline.values.clone())
                 .map(|values| moved.iter().map(|&index| values[index]).collect::<Vec<_>>())
         };
         let first = ghost(&mut desk).expect("measured at 0");
-        desk.play_mut().play();
-        desk.play_mut().tick(0.15);
+        desk.play_mut().change_run(|line, _| line.play());
+        desk.play_mut().change_run(|line, _| line.tick(0.15));
         assert_ne!(ghost(&mut desk).expect("between two rows"), first);
-        desk.play_mut().tick(0.5);
+        desk.play_mut().change_run(|line, _| line.tick(0.5));
         assert_eq!(ghost(&mut desk), None, "in a gap nothing was measured");
         // Other parameters do not change the outline.
-        desk.play_mut().scrub(0.0);
+        desk.play_mut().change_run(|line, _| line.scrub(0.0));
         assert_eq!(ghost(&mut desk), Some(first));
     }
 }

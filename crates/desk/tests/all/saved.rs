@@ -136,9 +136,9 @@ fn a_record_that_there_is_no_room_for_stays_in_the_storage() {
 #[test]
 fn answers_come_back() {
     let mut desk = utube();
-    desk.play_mut().check_answer(0, "123456");
-    desk.play_mut().type_answer(1, "\"π\"\\");
-    desk.play_mut().reveal_answer(1);
+    desk.play_mut().change_answers(|answers, run| answers.check(run, 0, "123456"));
+    desk.play_mut().change_answers(|answers, _| answers.type_text(1, "\"π\"\\"));
+    desk.play_mut().change_answers(|answers, run| answers.reveal(run, 1));
     let saved = desk::saved_answers(desk.play());
     assert_eq!(saved.len(), 2);
     let mut later = utube();

@@ -27,15 +27,15 @@ fn laboratory() -> Desk {
     let mut desk = utube();
     for name in ["one", "two", "three"] {
         desk.add_record(name, TABLE.as_bytes()).unwrap();
-        desk.play_mut().set_parameter_text(0, "9.7").unwrap();
+        desk.play_mut().change_settings(|settings| settings.set_parameter_text(0, "9.7")).unwrap();
         play(&mut desk, [1.0]);
-        desk.play_mut().keep().unwrap();
+        desk.play_mut().change_run(|line, basis| line.keep(basis)).unwrap();
     }
     desk.change_fits(|fits, data| fits.vary(data.play(), 0, true));
     desk.change_fits(|fits, data| fits.begin(data, "utube.md")).unwrap();
     while desk.advance_fit() {}
     play(&mut desk, [1.0]);
-    desk.play_mut().scrub(0.5);
+    desk.play_mut().change_run(|line, _| line.scrub(0.5));
     play(&mut desk, [0.2]);
     assert!(desk.play().time_line().has_ghost());
     told(&mut desk);
@@ -52,15 +52,15 @@ fn each_removal_is_announced_and_undone() {
         }),
         ("a kept run", |desk| {
             let id = desk.play().time_line().kept(desk.play().basis())[1].id;
-            desk.play_mut().remove_kept(id);
+            desk.play_mut().change_run(|line, basis| line.remove_kept(basis, id));
         }),
-        ("the previous run", |desk| desk.play_mut().remove_ghost()),
+        ("the previous run", |desk| desk.play_mut().change_run(|line, basis| line.remove_ghost(basis))),
         ("a fit", |desk| {
             let id = desk.fits().list()[0].id;
             desk.change_fits(|fits, data| fits.remove(data.play(), id));
         }),
-        ("all parameters", |desk| desk.play_mut().restore_defaults()),
-        ("a preset", |desk| desk.play_mut().apply_preset(1).unwrap()),
+        ("all parameters", |desk| desk.play_mut().change_settings(|settings| settings.restore_defaults())),
+        ("a preset", |desk| desk.play_mut().change_settings(|settings| settings.apply_preset(1)).unwrap()),
     ];
     let mut desk = laboratory();
     for (what, remove) in removals {
@@ -88,14 +88,14 @@ fn only_the_last_removal_is_undone() {
     assert!(!desk.undo(number), "another removal came after it");
     assert_eq!(desk.records().list().len(), 1);
     // A reset that changes nothing leaves nothing to undo.
-    desk.play_mut().restore_defaults();
-    desk.play_mut().restore_defaults();
+    desk.play_mut().change_settings(|settings| settings.restore_defaults());
+    desk.play_mut().change_settings(|settings| settings.restore_defaults());
     assert_eq!(desk.undo_number(), None);
     // The numbering continues with another document, so that an old undo button undoes nothing else.
     let mut other = utube();
     other.adopt(&mut desk);
     set(&mut other, "b", 77.0);
-    other.play_mut().restore_defaults();
+    other.play_mut().change_settings(|settings| settings.restore_defaults());
     assert!(other.undo_number().unwrap() > number + 1);
 }
 
@@ -103,8 +103,8 @@ fn only_the_last_removal_is_undone() {
 fn a_run_that_comes_back_keeps_an_id_of_its_own() {
     let mut desk = laboratory();
     let last = desk.play().time_line().kept(desk.play().basis()).pop().unwrap().id;
-    desk.play_mut().remove_kept(last);
-    desk.play_mut().keep().unwrap();
+    desk.play_mut().change_run(|line, basis| line.remove_kept(basis, last));
+    desk.play_mut().change_run(|line, basis| line.keep(basis)).unwrap();
     desk.undo(desk.undo_number().unwrap());
     let mut ids: Vec<u32> = desk.play().time_line().kept(desk.play().basis()).iter().map(|run| run.id).collect();
     ids.sort_unstable();
@@ -116,10 +116,10 @@ fn a_run_that_comes_back_keeps_an_id_of_its_own() {
 fn what_changes_while_a_control_is_moved_is_not_shown() {
     let mut desk = utube();
     play(&mut desk, [1.0]);
-    desk.play_mut().scrub(0.5);
-    desk.play_mut().step_back();
-    desk.play_mut().step_forward();
+    desk.play_mut().change_run(|line, _| line.scrub(0.5));
+    desk.play_mut().change_run(|line, _| line.step_back());
+    desk.play_mut().change_run(|line, _| line.step_forward());
     set(&mut desk, "b", 60.0);
-    desk.play_mut().set_speed(4.0);
+    desk.play_mut().change_run(|line, _| line.set_speed(4.0));
     assert!(told(&mut desk).iter().all(|one| one.prominence() == Prominence::Spoken));
 }

@@ -43,7 +43,7 @@ fn bring(app: App) {
             let more = app.read(|play| {
                 let mut more = true;
                 while more && js_sys::Date::now() < end {
-                    more = play.compute_on(until);
+                    more = play.change_run(|line, _| line.compute_on(until));
                 }
                 more
             });
@@ -54,7 +54,7 @@ fn bring(app: App) {
         }
         app.with(|lab| lab.bringing = false);
         if let Some([time, _]) = ends(app) {
-            app.slide(|play| play.show_time(time));
+            app.slide(|play| play.change_run(|line, _| line.show_time(time)));
         }
     });
 }

@@ -339,8 +339,8 @@ impl Opened {
 
     /// Performs one tick towards the moment shown first.
     fn hasten(&mut self) {
-        self.play.play();
-        let goes_on = self.play.tick(TICK) && self.play.time_line().is_playing();
+        self.play.change_run(|line, _| line.play());
+        let goes_on = self.play.change_run(|line, _| line.tick(TICK)) && self.play.time_line().is_playing();
         self.ahead = if goes_on { self.ahead.saturating_sub(1) } else { 0 };
         if self.ahead == 0 {
             self.picture.draw(&mut self.play);
@@ -352,16 +352,15 @@ impl Opened {
     fn proceed(&mut self, seconds: f64) -> bool {
         let rows = self.play.course().history().map_or(0, |history| history.bytes());
         self.moved += seconds;
-        let has_ended =
-            matches!(self.play.time_line().status(self.play.basis()), Status::Ended | Status::Failed | Status::Full);
+        let has_ended = matches!(self.play.time_line().status(), Status::Ended | Status::Failed | Status::Full);
         if has_ended || self.moved > LONGEST || rows > ROWS {
-            self.play.back_to_start();
+            self.play.change_run(|line, basis| line.back_to_start(basis));
             self.moved = 0.0;
         }
-        self.play.play();
-        self.play.tick(seconds);
+        self.play.change_run(|line, _| line.play());
+        self.play.change_run(|line, _| line.tick(seconds));
         self.picture.draw(&mut self.play);
-        self.play.time_line().status(self.play.basis()) != Status::Failed || self.play.course().time() > 0.0
+        self.play.time_line().status() != Status::Failed || self.play.course().time() > 0.0
     }
 }
 

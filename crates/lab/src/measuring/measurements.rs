@@ -44,7 +44,8 @@ fn ways_in(app: App) -> View {
             area.set_value("");
         }
     };
-    let names = app.read_desk(|desk| SAMPLES.each_ref().map(|sample| sample.name(desk.play().language())).to_vec());
+    let names =
+        app.read_desk(|desk| SAMPLES.each_ref().map(|sample| sample.name(desk.play().basis().language())).to_vec());
     let choose = |(number, name): (usize, String)| {
         button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
     };

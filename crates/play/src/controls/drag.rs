@@ -4,7 +4,7 @@
 //! dragged initial value, as little as possible ([`Start::solve`]); the other initial values stay those of the
 //! document. If no parameter determines it, if a range ends, or at any later time, the state itself becomes the start
 //! of the run, and the dragged quantity is at rest. It remains the start until another one is set or
-//! [`crate::Play::restore_defaults`] is called.
+//! [`crate::Settings::restore_defaults`] is called.
 //!
 //! A part may also set a parameter, like a slider; the run then continues during the drag.
 

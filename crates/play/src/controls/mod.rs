@@ -3,11 +3,13 @@
 
 pub(crate) mod button;
 pub(crate) mod drag;
+mod dragging;
 pub(crate) mod drawing;
 pub(crate) mod hold;
 mod method;
 mod parameter;
 pub(crate) mod preset;
+mod settings;
 mod size;
 pub(crate) mod slider;
 mod start;
@@ -17,6 +19,7 @@ pub use drawing::DrawingView;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterGroup, ParameterView};
 pub use preset::{PresetGroup, PresetView};
+pub use settings::Settings;
 pub use size::SizeView;
 pub use slider::Slider;
 
@@ -62,6 +65,14 @@ impl Controls {
     /// True while a part of the scene is dragged.
     pub fn is_dragging(&self) -> bool {
         self.hold.is_some()
+    }
+
+    /// Pitch in hertz of the first state while the run is playing or a part is dragged: 440 Hz at 0, one octave up or
+    /// down at its greatest magnitude in this run. `None` if there is nothing to hear.
+    pub fn pitch(&self, line: &TimeLine) -> Option<f64> {
+        let (&value, scale) = (line.course().state().first()?, line.greatest(0));
+        let sounding = (line.is_playing() || self.is_dragging()) && value.is_finite() && scale > 0.0;
+        sounding.then(|| 440.0 * libm::exp2((value / scale).clamp(-1.0, 1.0)))
     }
 
     /// Sets the part that is dragged.

@@ -19,11 +19,11 @@ pub use labels::Labels;
 pub use plot::{PlotId, PlotView};
 pub use series::LegendEntry;
 
-use crate::{Basis, Changes, Course, TimeLine, WORK_PER_TICK};
+use crate::{Basis, Changes, OpenRun, TimeLine, WORK_PER_TICK};
 use figure::{Direction, Figure, Interval, Point, Readout, Settings, Style, View};
 use histogram::Histogram;
 use members::Snapshot;
-use program::{Drawing, Model, Plot, Program};
+use program::{Drawing, Plot, Program};
 use section::{Moments, Section};
 use std::cell::OnceCell;
 use sweep::Swept;
@@ -55,7 +55,7 @@ impl Plots {
     }
 
     /// The plots as they are shown.
-    pub(crate) fn seen<'a>(&'a self, basis: &'a Basis, line: &'a TimeLine) -> Figures<'a> {
+    pub(crate) fn seen<'a>(&'a self, OpenRun { basis, line }: OpenRun<'a>) -> Figures<'a> {
         Figures { basis, line, plots: self, runs: OnceCell::new() }
     }
 
@@ -90,14 +90,14 @@ impl Plots {
 
     /// Continues the runs of sweep plots that are shown, limited to [`WORK_PER_TICK`] per call. Returns true if work
     /// remains.
-    pub(crate) fn work(&mut self, model: &Model, course: &Course) -> (bool, Changes) {
+    pub fn work(&mut self, run: OpenRun<'_>) -> (bool, Changes) {
         let mut left = WORK_PER_TICK;
         let mut worked = false;
         for plot in self.states.iter_mut().filter(|plot| plot.shown) {
             let Some(swept) = plot.swept_mut() else { continue };
-            swept.follow(course);
+            swept.follow(run.course());
             let before = swept.progress();
-            swept.proceed(model, &mut left);
+            swept.proceed(run.basis.model(), &mut left);
             worked |= swept.progress() != before;
         }
         let remains = self.states.iter().any(|plot| plot.shown && plot.swept().is_some_and(Swept::is_unfinished));
@@ -150,23 +150,18 @@ impl Plots {
     }
 
     /// Adds an empty plot after the others. It is hidden until it is asked for, unless it is the only one.
-    pub(crate) fn add(&mut self) -> (PlotId, Changes) {
+    pub fn add(&mut self) -> (PlotId, Changes) {
         self.states.push(PlotState { shown: self.states.is_empty(), ..PlotState::added() });
         (PlotId(self.states.len() - 1), Changes::PLOTS)
     }
 
-    /// Access to an added plot. Call [`Plots::added_changed`] after changing it; `None` if the plot is not an added one.
-    pub(crate) fn added(&mut self, id: PlotId) -> Option<&mut AddedPlot> {
-        self.states.get_mut(id.0)?.added.as_mut()
-    }
-
-    /// Redraws an added plot after a change. If its title has changed, the zoom is reset because it referred to other
-    /// content.
-    pub(crate) fn added_changed(&mut self, id: PlotId) -> Changes {
-        if let Some(state) = self.states.get_mut(id.0)
-            && let Some(added) = &state.added
-            && added.labels.title != state.labels.title
-        {
+    /// Changes an added plot. If it gets another title, the zoom is reset because it referred to other content. Does
+    /// nothing if the plot is not an added one.
+    pub fn change_added(&mut self, id: PlotId, change: impl FnOnce(&mut AddedPlot)) -> Changes {
+        let Some(state) = self.states.get_mut(id.0) else { return Changes::NONE };
+        let Some(added) = &mut state.added else { return Changes::NONE };
+        change(added);
+        if added.labels.title != state.labels.title {
             state.view = View::default();
             state.labels.title.clone_from(&added.labels.title);
         }
@@ -199,15 +194,9 @@ impl Plots {
     }
 
     /// Lays out a plot for the time shown, reusing the buffers of its figure. `None` if there is no such plot.
-    pub(crate) fn layout(
-        &mut self,
-        basis: &Basis,
-        line: &TimeLine,
-        PlotId(index): PlotId,
-        settings: &Settings,
-    ) -> Option<&Figure> {
+    pub(crate) fn layout(&mut self, run: OpenRun<'_>, PlotId(index): PlotId, settings: &Settings) -> Option<&Figure> {
         let mut figure = std::mem::take(&mut self.states.get_mut(index)?.figure);
-        if let Some(mut plot) = self.seen(basis, line).figure_of(index) {
+        if let Some(mut plot) = self.seen(run).figure_of(index) {
             // The page shows title and legend above the figure.
             plot.title = "";
             plot.series.iter_mut().for_each(|series| series.label = "");
@@ -220,20 +209,22 @@ impl Plots {
 
     /// Read-out at a pixel of the last layout: values of the present and kept runs and the nearest measured points.
     /// Moves the keyboard cursor there.
-    pub(crate) fn hover(&mut self, basis: &Basis, line: &TimeLine, id: PlotId, at: Point) -> Option<Readout> {
-        let (row, readout) = self.seen(basis, line).hover(id, at)?;
+    pub fn hover(&mut self, run: OpenRun<'_>, id: PlotId, at: Point) -> (Option<Readout>, Changes) {
+        let (row, readout) = self.seen(run).hover(id, at).unwrap_or_default();
         if let (Some(row), Some(state)) = (row, self.states.get_mut(id.0)) {
             state.cursor = Some(row);
         }
-        readout
+        (readout, Changes::NONE)
     }
 
     /// Moves the keyboard cursor by `rows` rows along the run, initially from the present row, and returns the read-out
     /// there.
-    pub(crate) fn move_cursor(&mut self, basis: &Basis, line: &TimeLine, id: PlotId, rows: isize) -> Option<Readout> {
-        let (row, readout) = self.seen(basis, line).beside_cursor(id, rows)?;
-        self.states.get_mut(id.0)?.cursor = Some(row);
-        readout
+    pub fn move_cursor(&mut self, run: OpenRun<'_>, id: PlotId, rows: isize) -> (Option<Readout>, Changes) {
+        let (row, readout) = self.seen(run).beside_cursor(id, rows).unzip();
+        if let (Some(row), Some(state)) = (row, self.states.get_mut(id.0)) {
+            state.cursor = Some(row);
+        }
+        (readout.flatten(), Changes::NONE)
     }
 
     /// Zooms by `factor` (2 shows half as much) about a pixel, or about the centre if `at` is `None`.

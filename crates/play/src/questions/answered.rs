@@ -4,7 +4,7 @@
 use crate::basis::assigning::assign;
 use crate::questions::given::{Answer, Attempt};
 use crate::questions::grade::{Grade, Verdict, grade};
-use crate::{Basis, Changes, Course, name_of, number, words};
+use crate::{Basis, Changes, Course, OpenRun, Refusal, name_of, number, words};
 use engine::Readings;
 use program::{NodeId, Program};
 use units::Language;
@@ -99,8 +99,8 @@ impl Answers {
 
     /// Grades an answer: a number or arithmetic in the expected unit, or with its own units of the same dimension. An
     /// error after `±` is not graded, but compared with the actual error. The answer is stored with the question.
-    pub fn check(&mut self, basis: &Basis, at: &Course, question: usize, text: &str) -> (Verdict, Changes) {
-        let verdict = self.verdict(basis, at, question, text);
+    pub fn check(&mut self, run: OpenRun<'_>, question: usize, text: &str) -> (Verdict, Changes) {
+        let verdict = self.verdict(run.basis, run.course(), question, text);
         let mut changes = self.type_text(question, text);
         if let Some(answer) = self.given.get_mut(question) {
             *answer = std::mem::take(answer).checked(verdict.grade);
@@ -131,11 +131,12 @@ impl Answers {
         verdict
     }
 
-    /// Marks the right answer as shown and the question as solved.
-    pub fn reveal(&mut self, question: usize) -> Changes {
-        let Some(answer) = self.given.get_mut(question) else { return Changes::NONE };
+    /// Marks the right answer as shown and the question as solved. Returns the right answer; see [`Answers::right_text`].
+    pub fn reveal(&mut self, run: OpenRun<'_>, question: usize) -> (String, Changes) {
+        let Some(answer) = self.given.get_mut(question) else { return (String::new(), Changes::NONE) };
         *answer = std::mem::take(answer).shown();
-        self.solve(question) | Changes::ANSWERS
+        let changes = self.solve(question) | Changes::ANSWERS;
+        (self.right_text(run.basis, run.course(), question), changes)
     }
 
     /// Share of the questions that have been answered correctly before the right answer was shown; `None` without questions.
@@ -205,9 +206,11 @@ impl Answers {
         given.filter(|(_, answer)| *answer != Answer::default()).collect()
     }
 
-    /// Restores the answer to the question with this name. `None` if there is no such question.
-    pub fn restore(&mut self, basis: &Basis, name: &str, saved: &Answer) -> Option<Changes> {
-        let question = question_names(basis.program()).iter().position(|own| own == name)?;
+    /// Restores the answer to the question with this name. Returns false if there is no such question.
+    pub fn restore(&mut self, run: OpenRun<'_>, name: &str, saved: &Answer) -> (bool, Changes) {
+        let Some(question) = question_names(run.basis.program()).iter().position(|own| own == name) else {
+            return (false, Changes::NONE);
+        };
         let mut changes = Changes::ANSWERS;
         if let Some(answer) = self.given.get_mut(question) {
             *answer = saved.bounded();
@@ -215,7 +218,7 @@ impl Answers {
         if saved.revealed || saved.grade == Some(Grade::Correct) {
             changes |= self.solve(question);
         }
-        Some(changes)
+        (true, changes)
     }
 
     /// Takes over answers to the questions of another program. `same` is true if two questions (the one here, the former
@@ -263,6 +266,13 @@ impl Answers {
         let [mut initial, mut right] = [&self.evaluators.initial, &self.evaluators.right].map(Readings::clone);
         let initial = initial.at(&parameters, &nothing, 0.0, &nothing);
         right.at(&parameters, initial, 0.0, initial).get(question).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Present parameters (SI), replaced by the values that a question assumes, if they can be set.
+    pub(crate) fn admitted_setup(&self, run: OpenRun<'_>, question: usize) -> Result<Vec<f64>, Refusal> {
+        let unknown = || Refusal::Unknown { name: question.to_string() };
+        let asked = run.basis.program().questions.get(question).ok_or_else(unknown)?;
+        run.basis.admit_assignments(&asked.setup, self.supposed(run.basis, run.course(), question))
     }
 
     /// Present parameters (SI), replaced by the values that a question assumes.

@@ -58,6 +58,11 @@ impl Course {
         }
     }
 
+    /// True if the run started from a state set by hand instead of the model's initial values.
+    pub fn is_started_by_hand(&self) -> bool {
+        self.begun().start.is_some()
+    }
+
     /// Reason why it cannot start or continue.
     pub fn error(&self) -> Option<&RunError> {
         self.error.as_ref()

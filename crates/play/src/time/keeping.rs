@@ -5,7 +5,8 @@ use super::course::Course;
 use super::kept::{Ghost, Kept, KeptValues, KeptView, MOST_KEPT};
 use super::recipe::{Moments, Recipe};
 use crate::plots::traces::{Columns, Traces};
-use crate::{Basis, Changes, Refusal};
+use crate::removed::Removed;
+use crate::{Announcement, Basis, Changes, Refusal, words};
 
 /// Maximum number of rows stored for a kept run or ghost.
 const ROWS_KEPT: usize = 20_000;
@@ -14,21 +15,28 @@ const ROWS_KEPT: usize = 20_000;
 const ROWS_WORTH_SEEING: usize = 20;
 
 /// A recomputed run.
-struct Computed {
+pub(super) struct Computed {
     /// Recipe of the computed part.
-    recipe: Recipe,
-    traces: Traces,
+    pub(super) recipe: Recipe,
+    pub(super) traces: Traces,
     /// State at the time of the recipe, SI.
-    state: Vec<f64>,
+    pub(super) state: Vec<f64>,
     /// True if the work sufficed for the whole run.
-    complete: bool,
+    pub(super) complete: bool,
 }
 
 impl TimeLine {
-    /// Keeps the present run, whose columns must be up to date; it is drawn behind later ones.
-    pub(crate) fn keep(&mut self) -> Result<Changes, Refusal> {
-        let state = self.course.state().to_vec();
-        self.keep_traces(self.course.recipe(), self.traces.thinned(0, ROWS_KEPT), state)
+    /// Keeps the present run; it is drawn behind later ones.
+    ///
+    /// # Errors
+    ///
+    /// [`MOST_KEPT`] runs are kept already.
+    pub fn keep(&mut self, basis: &Basis) -> Result<Changes, Refusal> {
+        self.follow_rows();
+        let (recipe, state) = (self.course.recipe(), self.course.state().to_vec());
+        let changes = self.keep_traces(recipe, self.traces.thinned(0, ROWS_KEPT), state)?;
+        let name = self.kept(basis).pop().map(|kept| kept.name).unwrap_or_default();
+        Ok(changes.announcing(Announcement::Kept(name)))
     }
 
     /// Keeps a run by recomputing it. `work` is the limit in floating-point operations and is reduced by the work done.
@@ -44,7 +52,7 @@ impl TimeLine {
     }
 
     /// Recomputes a run.
-    fn compute(&mut self, basis: &Basis, recipe: &Recipe, moments: Moments, work: &mut u64) -> Computed {
+    pub(super) fn compute(&mut self, basis: &Basis, recipe: &Recipe, moments: Moments, work: &mut u64) -> Computed {
         // Drawn curves change the model and therefore the columns.
         let drawn = basis.model().with_drawings(&recipe.setup.drawings);
         let mut own = drawn.map(|model| Columns::new(&model, &basis.program().plots));
@@ -116,15 +124,29 @@ impl TimeLine {
     }
 
     /// Shows or hides a kept run.
-    pub(crate) fn show_kept(&mut self, id: u32, shown: bool) -> Changes {
+    pub fn show_kept(&mut self, id: u32, shown: bool) -> Changes {
         let kept = self.kept.iter_mut().find(|kept| kept.id == id);
         Changes::RUNS.only_if(kept.map(|kept| kept.shown = shown).is_some())
     }
 
-    /// Removes a kept run. Returns it with its position.
-    pub(crate) fn take_kept(&mut self, id: u32) -> Option<(usize, Kept)> {
-        let place = self.kept.iter().position(|kept| kept.id == id)?;
-        Some((place, self.kept.remove(place)))
+    /// Removes a kept run; can be undone.
+    pub fn remove_kept(&mut self, basis: &Basis, id: u32) -> Changes {
+        let mut views = self.kept(basis).into_iter().enumerate();
+        let Some((place, view)) = views.find(|(_, view)| view.id == id) else { return Changes::NONE };
+        let removed = Removed::Run(place, self.kept.remove(place));
+        Changes::RUNS.removing(removed).announcing(Announcement::Removed(view.name))
+    }
+
+    /// Removes the ghost at the user's request; can be undone.
+    pub fn remove_ghost(&mut self, basis: &Basis) -> Changes {
+        let Some(ghost) = self.ghost.take() else { return Changes::NONE };
+        let name = words::previous_run(basis.language()).to_owned();
+        Changes::RUNS.removing(Removed::Ghost(ghost)).announcing(Announcement::Removed(name))
+    }
+
+    /// Removes the ghost; cannot be undone.
+    pub fn clear_ghost(&mut self) -> Changes {
+        Changes::RUNS.only_if(self.ghost.take().is_some())
     }
 
     /// Inserts a kept run at a position, or at the end if the list has become shorter.
@@ -140,41 +162,9 @@ impl TimeLine {
         Changes::RUNS
     }
 
-    /// Takes over the kept runs of another program, recomputed unless `is_same` holds for their recipe. `translated`
-    /// gives the recipe for this program; `None` if it does not fit. Returns the names of the runs that were dropped.
-    pub(crate) fn adopt_kept(
-        &mut self,
-        basis: &Basis,
-        (before, former_basis): (&mut Self, &Basis),
-        translated: impl Fn(&Recipe) -> Option<Recipe>,
-        same_columns: bool,
-        work: &mut u64,
-    ) -> Vec<String> {
-        let mut lost = Vec::new();
-        let views = before.kept(former_basis);
-        for (kept, view) in std::mem::take(&mut before.kept).into_iter().zip(views) {
-            match translated(&kept.recipe) {
-                Some(recipe) if same_columns && recipe == kept.recipe => self.kept.push(kept),
-                Some(recipe) => match self.compute(basis, &recipe, Moments::Times, work) {
-                    Computed { recipe, traces, state, complete: true } => {
-                        self.kept.push(Kept { recipe, traces, state, ..kept });
-                    }
-                    _ => lost.push(view.name),
-                },
-                None => lost.push(view.name),
-            }
-        }
-        lost
-    }
-
     /// True if a ghost (the rows discarded last) is drawn.
     pub fn has_ghost(&self) -> bool {
         self.ghost.is_some()
-    }
-
-    /// Removes the ghost and returns it.
-    pub(crate) fn take_ghost(&mut self) -> Option<Ghost> {
-        self.ghost.take()
     }
 
     /// Sets the ghost.
@@ -183,9 +173,9 @@ impl TimeLine {
         Changes::RUNS
     }
 
-    /// Turns the rows from index `first` on into the ghost, if there are enough to be seen. The columns must be up to
-    /// date.
+    /// Turns the rows from index `first` on into the ghost, if there are enough to be seen.
     pub(crate) fn keep_ghost(&mut self, first: usize) -> Changes {
+        self.follow_rows();
         let rows = self.traces.rows().saturating_sub(first);
         let worth = if self.ghost.is_some() { ROWS_WORTH_SEEING } else { 2 };
         if rows < worth {

@@ -1,5 +1,6 @@
 //! The time line: the run and its clock, the rows for the plots, the runs kept for comparison.
 
+mod adopting;
 mod ahead;
 pub(crate) mod course;
 mod keeping;
@@ -9,17 +10,19 @@ pub(crate) mod recipe;
 pub(crate) mod transport;
 mod words;
 
+pub(crate) use adopting::PassedLine;
 pub use course::Course;
 pub use kept::{KeptValues, KeptView, MOST_KEPT};
 pub use problem::Problem;
 pub use transport::{LONGEST_GAP, SPEEDS, Status, WORK_PER_TICK};
 
 use crate::plots::traces::{Columns, Traces};
-use crate::{Basis, Changes};
+use crate::removed::Removed;
+use crate::{Announcement, Basis, Changes};
 use engine::Setup;
 use figure::Interval;
 use kept::{Ghost, Kept};
-use program::{Model, Speed};
+use program::{Parameter, Speed};
 
 /// The run, its clock, and the runs drawn behind it.
 #[derive(Debug)]
@@ -35,6 +38,8 @@ pub struct TimeLine {
     /// Playback speed of the document; `speed` is the chosen multiple of it.
     pace: Speed,
     speed: f64,
+    /// End of the run set by the document, SI.
+    until: Option<f64>,
     slippage: f64,
     columns: Columns,
     traces: Traces,
@@ -63,6 +68,7 @@ impl TimeLine {
             full: false,
             pace: basis.program().pace(),
             speed: 1.0,
+            until: basis.program().until,
             slippage: 0.0,
             columns,
             traces: Traces::default(),
@@ -105,22 +111,16 @@ impl TimeLine {
         self.scales.get(state).copied().unwrap_or_default()
     }
 
-    /// Greatest magnitude of each state in this run, SI.
-    pub(crate) fn scales(&self) -> &[f64] {
-        &self.scales
-    }
-
-    /// Sets the greatest magnitudes of the states, SI, to those of the same run in another program.
-    pub(crate) fn set_scales(&mut self, scales: Vec<f64>) {
-        if scales.len() == self.scales.len() {
-            self.scales = scales;
-        }
+    /// Writes the state (SI) at a recorded time (SI) into `out`, interpolated between rows. Returns the parameters (SI)
+    /// in force then; `None` if the run could not start. Nothing changes but what is kept for the next call.
+    pub fn state_at(&mut self, time: f64, out: &mut [f64]) -> (Option<Vec<f64>>, Changes) {
+        (self.course.state_at(time, out), Changes::NONE)
     }
 
     /// Returns the earliest time (SI) from which rows were discarded since the last call: data read after it is
     /// invalid. `None` if no rows were discarded.
-    pub(crate) fn take_rewritten(&mut self) -> Option<f64> {
-        self.rewritten.take()
+    pub fn take_rewritten(&mut self) -> (Option<f64>, Changes) {
+        (self.rewritten.take(), Changes::NONE)
     }
 
     fn note_rewritten(&mut self, time: f64) {
@@ -146,8 +146,13 @@ impl TimeLine {
     }
 
     /// Updates the columns to the front of the run.
-    pub(crate) fn follow(&mut self, basis: &Basis) {
+    fn follow_rows(&mut self) {
         self.traces.follow(&self.course, &mut self.columns, &self.present);
+    }
+
+    /// Updates what is drawn of the run: the columns to its front, and their range in its first part.
+    pub(crate) fn follow(&mut self, basis: &Basis) {
+        self.follow_rows();
         if self.ahead.is_none() {
             self.ahead = Some(ahead::ranges(basis, &self.course, &mut self.columns));
         }
@@ -161,13 +166,36 @@ impl TimeLine {
     /// Must be called when the model has changed.
     pub(crate) fn model_changed(&mut self, basis: &Basis) {
         self.ahead = None;
+        self.traces = Traces::default();
         self.columns = Columns::new(basis.model(), &basis.program().plots);
+        self.columns.present(&self.course, &mut self.present);
     }
 
-    /// Starts another run.
-    pub(crate) fn start(&mut self, model: &Model, setup: Setup) -> Changes {
-        let course = Course::start(model, setup, self.columns.bytes_per_row());
-        self.replace(course)
+    /// True if all sizes and parameters have the values of the document, and the run starts with its initial values and
+    /// curves.
+    pub fn is_as_written(&self, basis: &Basis) -> bool {
+        self.starts_as_written(basis)
+            && basis.sizes().iter().all(|size| size.is_default)
+            && basis.parameters(&self.course).iter().all(|parameter| parameter.is_default)
+    }
+
+    /// True if the run starts with the document's initial values and curves.
+    pub(crate) fn starts_as_written(&self, basis: &Basis) -> bool {
+        !self.course.is_started_by_hand() && self.course.begun().drawings == basis.defaults().drawings
+    }
+
+    /// Settings of the present run, with the parameters shown.
+    pub(crate) fn setup(&self) -> Setup {
+        Setup { parameters: self.course.parameters().to_vec(), ..self.course.begun().clone() }
+    }
+
+    /// Starts another run. The present one becomes the ghost if it is long enough to be seen.
+    pub(crate) fn restart(&mut self, basis: &Basis, mut setup: Setup) -> Changes {
+        // Presses belong to the former run.
+        setup.presses.clear();
+        let changes = self.keep_ghost(0);
+        let course = Course::start(basis.model(), setup, self.columns.bytes_per_row());
+        changes | self.replace(course)
     }
 
     /// Replaces the run.
@@ -184,55 +212,57 @@ impl TimeLine {
         self.full = false;
         self.slippage = 0.0;
         self.playing &= self.course.error().is_none();
-        Changes::ROWS | Changes::PARAMETERS | Changes::TRANSPORT | self.moved()
+        let changes = Changes::NEW_RUN | Changes::ROWS | Changes::PARAMETERS | Changes::TRANSPORT | self.moved();
+        if self.course.error().is_some() { changes.announcing(Announcement::Failed) } else { changes }
     }
 
-    /// Presses a button at the moment shown, which must be the front.
+    /// Presses a button at the moment shown. If an earlier moment is shown, the run continues from there and the later
+    /// rows become the ghost. A part of the scene that is dragged is released.
     pub(crate) fn press(&mut self, button: usize) -> Changes {
-        let time = self.course.time();
+        let (time, changes) = (self.course.time(), self.branch());
         self.course.press(button);
         self.note_rewritten(time);
-        Changes::TRANSPORT | Changes::PARAMETERS | self.moved()
+        let changes = changes | Changes::RELEASED | Changes::TRANSPORT | Changes::PARAMETERS | self.moved();
+        let changes = changes.announcing(Announcement::Pressed(button, time));
+        if self.playing && self.course.error().is_some() {
+            (changes | self.stop()).announcing(Announcement::Failed)
+        } else {
+            changes
+        }
     }
 
-    /// Changes parameters (SI) from the moment shown on, which must be the front. None may decide an initial value.
-    pub(crate) fn set_parameters(&mut self, model: &Model, parameters: Vec<f64>) -> Changes {
+    /// Sets all parameters (SI) from the moment shown on. Restarts the run if an initial value depends on a changed one.
+    pub(crate) fn set_parameters(&mut self, basis: &Basis, parameters: Vec<f64>) -> Changes {
+        let old = self.course.parameters();
+        if old == parameters {
+            return Changes::NONE;
+        }
+        let deciding = |(index, parameter): (usize, &Parameter)| {
+            (parameter.restarts && old.get(index) != parameters.get(index)).then_some(index)
+        };
+        let decides = basis.model().parameters.iter().enumerate().find_map(deciding);
+        if decides.is_some() || self.course.history().is_none() {
+            let begun = self.course.front() > 0.0 || self.course.is_started_by_hand();
+            let setup = Setup { parameters, start: None, ..self.course.begun().clone() };
+            let changes = Changes::PARAMETERS | self.restart(basis, setup);
+            return match decides.filter(|_| begun) {
+                Some(index) => changes.announcing(Announcement::Restarted(index)),
+                None => changes,
+            };
+        }
+        let changes = self.branch();
         self.course.give_up_presses();
-        self.course.set_parameters(model, parameters);
+        self.course.set_parameters(basis.model(), parameters);
         self.traces.truncate(self.course.rows().saturating_sub(1));
-        Changes::TRANSPORT | self.moved()
+        changes | Changes::PARAMETERS | Changes::TRANSPORT | self.moved()
     }
 
-    /// Takes over the run of another program unchanged; `with_columns` if its columns have the same values.
-    pub(crate) fn adopt_run(&mut self, basis: &Basis, before: &mut Self, with_columns: bool) -> Changes {
-        let nothing = Course::start(basis.model(), basis.defaults().clone(), 0);
-        self.course = std::mem::replace(&mut before.course, nothing);
-        self.course.set_overhead(self.columns.bytes_per_row());
-        self.full = before.full;
-        self.slippage = before.slippage;
-        if let Some(time) = before.take_rewritten() {
-            self.note_rewritten(time);
+    /// Sets all parameters (SI) at once; can be undone.
+    pub(crate) fn overwrite_parameters(&mut self, basis: &Basis, parameters: Vec<f64>) -> Changes {
+        let before = self.course.parameters().to_vec();
+        if before == parameters {
+            return Changes::SETTLED;
         }
-        if with_columns {
-            self.traces = std::mem::take(&mut before.traces);
-        }
-        // The magnitudes of states determine their number format.
-        self.scales.clone_from(&before.scales);
-        self.moved()
-    }
-
-    /// Takes over the speed of the time line of another program.
-    pub(crate) fn adopt_speed(&mut self, before: &Self) {
-        self.speed = before.speed;
-    }
-
-    /// Takes over the ghost of a program with the same curves, and plays on as the former program did. `kept_issued`
-    /// continues.
-    pub(crate) fn adopt_rest(&mut self, before: &mut Self, same_curves: bool) {
-        if same_curves {
-            self.ghost = before.ghost.take();
-        }
-        self.playing = before.playing && self.course.history().is_some() && self.course.error().is_none();
-        self.kept_issued = before.kept_issued;
+        self.set_parameters(basis, parameters).removing(Removed::Parameters(before))
     }
 }

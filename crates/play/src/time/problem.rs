@@ -34,7 +34,7 @@ impl TimeLine {
     /// Text for a run that has reached the end set by the document or an event: the time and the event; `None` in any
     /// other status.
     pub fn ending(&self, basis: &Basis) -> Option<String> {
-        if self.status(basis) != Status::Ended {
+        if self.status() != Status::Ended {
             return None;
         }
         let independent = &basis.model().independent;

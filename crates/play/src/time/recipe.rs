@@ -4,6 +4,10 @@ use crate::time::course::{Course, Outcome};
 use engine::{Advance, Setup};
 use program::Model;
 
+/// Maximum work for all recomputed runs together, in floating-point operations. A link may come from a stranger, and
+/// the page is blocked meanwhile: about a second on a slow phone.
+pub(crate) const MOST_WORK: u64 = 50_000_000;
+
 /// Settings of a run and the changes of parameters during it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {

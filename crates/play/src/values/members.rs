@@ -18,7 +18,7 @@ pub enum ReadoutKind {
 /// A family in a line, and the member shown.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Members {
-    /// Name of the family with its primes, `x'`: the argument of [`crate::Play::choose_member`].
+    /// Name of the family with its primes, `x'`: the argument of [`crate::Values::choose_member`].
     pub name: String,
     /// Indices of the member shown; at least one.
     pub indices: Vec<Index>,

@@ -14,10 +14,11 @@ mod trails;
 pub use members::{Index, Members, ReadoutKind};
 pub use outline::{Follows, Outline};
 pub use readout::Readout;
+pub use scene::ShownScene;
 pub use state::StateView;
 pub use symbol::symbol;
 
-use crate::{Answers, Basis, Changes, Course, TimeLine};
+use crate::{Answers, Basis, Changes, TimeLine};
 use engine::Readings;
 use members::Lines;
 use program::{Model, NodeId};
@@ -83,8 +84,8 @@ impl Values {
     }
 
     /// Must be called after each change, so that the values of the scene are computed again.
-    pub(crate) fn follow(&mut self, changes: Changes) {
-        self.scene_is_current &= !changes.touch(Changes::FRAME | Changes::PARAMETERS);
+    pub(crate) fn follow(&mut self, changes: &Changes) {
+        self.scene_is_current &= !changes.touch(&(Changes::FRAME | Changes::PARAMETERS));
     }
 
     /// Forgets the magnitudes in the run, because another one replaces it.
@@ -114,19 +115,35 @@ impl Values {
 
     /// Displays another member of a family: sets the index at position `place` to `value`. If that member does not
     /// exist, the next one in the direction of the change.
-    pub(crate) fn choose_member(&mut self, family: &str, place: usize, value: i64) -> Changes {
+    pub fn choose_member(&mut self, family: &str, place: usize, value: i64) -> Changes {
         Changes::FRAME.only_if(self.lines.choose(family, place, value))
     }
 
-    /// Values of the quantities, SI; widens their magnitudes.
-    pub(crate) fn quantities(&mut self, at: &Course) -> Vec<f64> {
-        let values = self.quantities.at(at.parameters(), at.initial(), at.time(), at.state());
-        for (scale, value) in self.quantity_scales.iter_mut().zip(values) {
-            if value.is_finite() {
-                *scale = scale.max(value.abs());
+    /// Sets or removes the outline drawn over the scene.
+    pub fn set_outline(&mut self, outline: Option<Outline>) -> Changes {
+        self.outline = outline;
+        Changes::NONE
+    }
+
+    /// Sets the values of the outline for the time shown.
+    pub fn set_outline_values(&mut self, values: Option<&[f64]>) -> Changes {
+        if let Some(outline) = &mut self.outline {
+            match (values, &mut outline.values) {
+                (Some(values), Some(old)) => {
+                    old.clear();
+                    old.extend_from_slice(values);
+                }
+                (values, old) => *old = values.map(<[f64]>::to_vec),
             }
         }
-        values.to_vec()
+        Changes::NONE
+    }
+}
+
+impl<'a> Shown<'a> {
+    /// Outline drawn over the scene.
+    pub fn outline(self) -> Option<&'a Outline> {
+        self.values.outline.as_ref()
     }
 }
 

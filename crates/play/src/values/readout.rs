@@ -1,10 +1,10 @@
-//! Readouts: time, states and quantities with their units; and the pitch.
+//! Readouts: time, states and quantities with their units.
 
-use super::Shown;
 use super::lines::{Line, Member};
 use super::members::{Members, ReadoutKind};
 use super::rounding::Rounding;
-use crate::{number, words};
+use super::{Shown, Values};
+use crate::{Answers, Basis, TimeLine, number, words};
 use program::{Compiled, Kind, Node, NodeId, Role};
 use units::Unit;
 use units::mathml::{self, typeset_name};
@@ -52,18 +52,29 @@ struct Part<'a> {
     word: Option<&'a Compiled>,
 }
 
-impl Shown<'_> {
+impl Values {
     /// All readouts at the time shown: the independent variable, the states, the quantities. A vector is one readout; a
-    /// family shows the selected member ([`crate::Play::choose_member`]). `values` are those of the quantities, SI.
-    pub(crate) fn readouts(&self, values: &[f64]) -> Vec<Readout> {
-        let mut readouts = vec![self.time_readout()];
-        let rounding = Rounding::of(self);
-        let lines = self.values.lines.readouts.iter().filter_map(|line| self.line_readout(line, values, &rounding));
-        readouts.extend(lines);
-        readouts.extend(self.friction_readouts());
+    /// family shows the selected member ([`Values::choose_member`]). Widens the magnitudes of the quantities.
+    pub(crate) fn readouts(&mut self, basis: &Basis, line: &TimeLine, answers: &Answers) -> Vec<Readout> {
+        let at = line.course();
+        let values = self.quantities.at(at.parameters(), at.initial(), at.time(), at.state());
+        for (scale, value) in self.quantity_scales.iter_mut().zip(values) {
+            if value.is_finite() {
+                *scale = scale.max(value.abs());
+            }
+        }
+        let values = values.to_vec();
+        let shown = self.shown(basis, line, answers);
+        let mut readouts = vec![shown.time_readout()];
+        let rounding = Rounding::of(&shown);
+        let lines = shown.values.lines.readouts.iter();
+        readouts.extend(lines.filter_map(|line| shown.line_readout(line, &values, &rounding)));
+        readouts.extend(shown.friction_readouts());
         readouts
     }
+}
 
+impl Shown<'_> {
     fn time_readout(&self) -> Readout {
         let independent = &self.basis.model().independent;
         let (value, unit) = match self.basis.small_times(self.line.course()) {

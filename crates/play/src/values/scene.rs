@@ -1,7 +1,6 @@
 //! Values of the scene, and of the outline drawn over it.
 
 use super::Values;
-use super::outline::Outline;
 use super::readout::MOVING_DIGITS;
 use crate::{Basis, Course, TimeLine, number};
 use program::Kind;
@@ -29,28 +28,51 @@ impl Values {
         self.scene.at(parameters, state, 0.0, state)
     }
 
+    /// The scene as it is shown.
+    pub(crate) fn scene<'a>(&'a mut self, basis: &'a Basis, line: &'a mut TimeLine) -> ShownScene<'a> {
+        ShownScene { basis, line, values: self }
+    }
+}
+
+/// The values of the scene as they are shown: of the run, in the chosen language.
+#[derive(Debug)]
+pub struct ShownScene<'a> {
+    basis: &'a Basis,
+    line: &'a mut TimeLine,
+    values: &'a mut Values,
+}
+
+impl<'a> ShownScene<'a> {
+    /// Values of [`program::Scene::values`] at the time shown, SI, for attributes. Computed once per frame.
+    pub fn values(self) -> &'a [f64] {
+        let Self { line, values, .. } = self;
+        values.scene_values(line.course())
+    }
+
     /// Writes the path of a trail up to the time shown into `path`, in scene units: a line, or dots (segments of length
     /// zero).
-    pub(crate) fn trail(&mut self, basis: &Basis, line: &mut TimeLine, number: usize, path: &mut String) {
+    pub fn write_trail(self, number: usize, path: &mut String) {
         path.clear();
-        self.scene_values(line.course());
-        let Some(trail) = basis.scene().and_then(|scene| scene.trails.get(number)) else { return };
-        let value = |index: usize| self.scene_values.get(index).copied().unwrap_or(f64::NAN);
+        let Some(trail) = self.basis.scene().and_then(|scene| scene.trails.get(number)) else { return };
+        let values = self.values.scene_values(self.line.course());
+        let value = |index: usize| values.get(index).copied().unwrap_or(f64::NAN);
         let (last, every) = (trail.last.map(value), trail.every.map(value));
-        let from = last.map_or(0.0, |last| (line.course().time() - last).max(0.0));
+        let from = last.map_or(0.0, |last| (self.line.course().time() - last).max(0.0));
         match every {
-            Some(every) => self.trails.write_dots(line.course_between_rows(), number, (from, every), path),
-            None => self.trails.write_line(line.course(), number, from, path),
+            Some(every) => {
+                self.values.trails.write_dots(self.line.course_between_rows(), number, (from, every), path);
+            }
+            None => self.values.trails.write_line(self.line.course(), number, from, path),
         }
     }
 
     /// Value `index` of the scene at the time shown, formatted with its unit; empty for an unknown index.
-    pub(crate) fn scene_text(&mut self, basis: &Basis, at: &Course, index: usize, decimals: Option<u8>) -> String {
-        let Some(&value) = self.scene_values(at).get(index) else {
+    pub fn text(self, index: usize, decimals: Option<u8>) -> String {
+        let basis = self.basis;
+        let Some(&value) = self.values.scene_values(self.line.course()).get(index) else {
             return String::new();
         };
-        let scene = basis.scene();
-        let Some(shown) = scene.and_then(|scene| scene.values.get(index)) else {
+        let Some(shown) = basis.scene().and_then(|scene| scene.values.get(index)) else {
             return String::new();
         };
         if shown.kind != Kind::Number {
@@ -63,31 +85,9 @@ impl Values {
             }
             None if basis.is_count(shown.node, &shown.unit) => basis.count(value),
             None => {
-                let scale = self.scene_scales.get(index).copied().unwrap_or_default();
+                let scale = self.values.scene_scales.get(index).copied().unwrap_or_default();
                 Group::of_scale(&shown.unit, scale, MOVING_DIGITS, basis.style()).quantity(value)
             }
-        }
-    }
-
-    /// Outline drawn over the scene.
-    pub(crate) fn outline(&self) -> Option<&Outline> {
-        self.outline.as_ref()
-    }
-
-    /// Sets or removes the outline.
-    pub(crate) fn set_outline(&mut self, outline: Option<Outline>) {
-        self.outline = outline;
-    }
-
-    /// Sets the values of the outline for the time shown.
-    pub(crate) fn set_outline_values(&mut self, values: Option<&[f64]>) {
-        let Some(outline) = &mut self.outline else { return };
-        match (values, &mut outline.values) {
-            (Some(values), Some(old)) => {
-                old.clear();
-                old.extend_from_slice(values);
-            }
-            (values, old) => *old = values.map(<[f64]>::to_vec),
         }
     }
 }

@@ -4,8 +4,8 @@ use super::Shown;
 use super::lines::Line;
 use super::members::Members;
 use super::readout::MOVING_DIGITS;
-use crate::number;
-use program::{Node, Role, State};
+use crate::{Basis, TimeLine, number};
+use program::{Node, Role};
 use units::number::Layout;
 
 /// A state, for its field.
@@ -43,7 +43,7 @@ impl Shown<'_> {
     pub fn state(&self, index: usize) -> Option<StateView> {
         let state = self.basis.model().states.get(index)?;
         let &value = self.line.course().state().get(index)?;
-        let text = self.state_number(index, state, value);
+        let text = self.line.state_number(self.basis, index, value);
         Some(StateView {
             index,
             name: state.name(),
@@ -57,7 +57,7 @@ impl Shown<'_> {
         })
     }
 
-    /// States in lines; for a family, the member selected with [`crate::Play::choose_member`].
+    /// States in lines; for a family, the member selected with [`crate::Values::choose_member`].
     pub fn state_lines(&self) -> Vec<StateView> {
         let line = |line: &Line<usize>| {
             let &index = line.member(self.values.lines.chosen_of(line))?.parts.first()?;
@@ -72,15 +72,18 @@ impl Shown<'_> {
         };
         self.values.lines.states.iter().filter_map(line).collect()
     }
+}
 
-    /// Value of a state in its own unit, for its field. Its resolution follows from the largest magnitude in this run.
-    pub(crate) fn state_number(&self, index: usize, state: &State, value: f64) -> String {
-        let node = self.basis.model().graph.find(Node::State(index as u32));
-        if node.is_some_and(|node| self.basis.is_count(node, &state.unit)) {
-            return self.basis.count(value);
+impl TimeLine {
+    /// Value (SI) of a state as a number in its own unit, for its field. Its resolution follows from the largest
+    /// magnitude in this run. Empty for an unknown index.
+    pub(crate) fn state_number(&self, basis: &Basis, index: usize, value: f64) -> String {
+        let Some(state) = basis.model().states.get(index) else { return String::new() };
+        let node = basis.model().graph.find(Node::State(index as u32));
+        if node.is_some_and(|node| basis.is_count(node, &state.unit)) {
+            return basis.count(value);
         }
-        let scale = self.line.greatest(index);
-        let scale = state.unit.from_si(scale.max(value.abs()));
-        Layout::of_scale(scale, MOVING_DIGITS).number(state.unit.from_si(value), self.basis.style())
+        let scale = state.unit.from_si(self.greatest(index).max(value.abs()));
+        Layout::of_scale(scale, MOVING_DIGITS).number(state.unit.from_si(value), basis.style())
     }
 }

@@ -49,7 +49,7 @@ answer: 0.18 in [%] within 1 %
 "#;
 
 fn judged(play: &mut Play, question: usize, typed: &str) -> (Grade, String) {
-    let verdict = play.check_answer(question, typed);
+    let verdict = play.change_answers(|answers, run| answers.check(run, question, typed));
     (verdict.grade, verdict.text)
 }
 
@@ -168,12 +168,12 @@ fn fields_take_arithmetic_and_tell_frequencies_apart() {
         ("w", "2*pi*(2 Hz)", 4.0 * std::f64::consts::PI),
     ] {
         let index = crate::support::parameter(&play, name);
-        assert_eq!(play.set_parameter_text(index, typed), Ok(()), "{typed}");
+        assert_eq!(play.change_settings(|settings| settings.set_parameter_text(index, typed)), Ok(()), "{typed}");
         let value = play.course().parameters()[index];
         assert!((value - expected).abs() < 1e-12, "{typed}: {value}");
     }
     let index = crate::support::parameter(&play, "w");
-    let refusal = play.set_parameter_text(index, "1.4 Hz").unwrap_err();
+    let refusal = play.change_settings(|settings| settings.set_parameter_text(index, "1.4 Hz")).unwrap_err();
     assert_eq!(play.basis().refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
 }
 
@@ -193,17 +193,17 @@ fn values_are_hidden_until_their_questions_are_answered() {
     let place = play.values().table_header().iter().position(|head| head.starts_with("E ")).unwrap();
     assert_eq!(play.values().table_rows(0..1)[0][place], "hidden");
     // A wrong answer reveals no value. A right answer reveals the values that no other open question hides.
-    play.check_answer(0, "1");
+    play.change_answers(|answers, run| answers.check(run, 0, "1"));
     assert_eq!(all(&mut play), ["hidden", "hidden", "hidden"]);
-    play.check_answer(0, "3.755 s");
+    play.change_answers(|answers, run| answers.check(run, 0, "3.755 s"));
     assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
     assert_ne!(play.values().table_rows(0..1)[0][place], "hidden");
     let link = play.share();
     // In the teacher's view all values are shown, and the link contains this choice.
-    play.show_hidden(true);
+    play.change_answers(|answers, _| answers.show_hidden(true));
     assert_eq!(all(&mut play), ["3.755", "0.2663", "1.673"]);
     let open = play.share();
-    play.show_hidden(false);
+    play.change_answers(|answers, _| answers.show_hidden(false));
     assert_eq!(play.share(), link);
     assert_eq!(all(&mut play), ["3.755", "hidden", "hidden"]);
     play.set_language("es");
@@ -213,7 +213,7 @@ fn values_are_hidden_until_their_questions_are_answered() {
     assert!(other.answers().shows_hidden());
     assert_eq!(value(&mut other, "omega_0"), "1.673");
     // Showing the right answer reveals the value.
-    play.reveal_answer(1);
+    play.change_answers(|answers, run| answers.reveal(run, 1));
     assert_eq!(all(&mut play), ["3,755", "0,2663", "1,673"]);
 }
 
@@ -241,31 +241,31 @@ fn questions_appear_when_those_before_are_answered() {
     let awaited = |play: &Play| [0, 1, 2, 3].map(|question| play.answers().awaited(play.basis(), question));
     let mut play = open();
     assert_eq!(awaited(&play), [vec![], vec![0], vec![0, 1], vec![]]);
-    play.check_answer(0, "3");
+    play.change_answers(|answers, run| answers.check(run, 0, "3"));
     assert_eq!(awaited(&play)[1], [0], "a wrong answer opens nothing");
-    play.check_answer(0, "2");
+    play.change_answers(|answers, run| answers.check(run, 0, "2"));
     assert_eq!(awaited(&play), [vec![], vec![], vec![1], vec![]]);
     // A solved question stays solved after a wrong attempt and at the next visit.
-    play.check_answer(0, "3");
+    play.change_answers(|answers, run| answers.check(run, 0, "3"));
     assert!(awaited(&play)[1].is_empty());
-    play.check_answer(0, "2");
+    play.change_answers(|answers, run| answers.check(run, 0, "2"));
     let mut later = open();
     for (name, answer) in play.answers().saved(play.basis()) {
-        assert!(later.restore_answer(&name, &answer));
+        assert!(later.change_answers(|answers, run| answers.restore(run, &name, &answer)));
     }
     assert_eq!(awaited(&later), awaited(&play));
-    later.reveal_answer(1);
+    later.change_answers(|answers, run| answers.reveal(run, 1));
     assert!(awaited(&later)[2].is_empty());
 }
 
 #[test]
 fn answers_stay_with_their_questions() {
     let mut play = utube();
-    play.check_answer(0, "123456");
-    play.type_answer(1, "1");
-    play.check_answer(1, "1");
-    play.reveal_answer(1);
-    play.check_answer(99, "1");
+    play.change_answers(|answers, run| answers.check(run, 0, "123456"));
+    play.change_answers(|answers, _| answers.type_text(1, "1"));
+    play.change_answers(|answers, run| answers.check(run, 1, "1"));
+    play.change_answers(|answers, run| answers.reveal(run, 1));
+    play.change_answers(|answers, run| answers.check(run, 99, "1"));
     let saved = play.answers().saved(play.basis());
     assert_eq!(saved.len(), 2);
     play.set_language("es");
@@ -280,7 +280,7 @@ fn answers_stay_with_their_questions() {
     later.set_language("es");
     for (name, answer) in &saved {
         assert_eq!(Answer::of_lines(&answer.lines()).as_ref(), Some(answer));
-        assert!(later.restore_answer(name, answer));
+        assert!(later.change_answers(|answers, run| answers.restore(run, name, answer)));
     }
     assert_eq!(
         (later.answers().answer(later.basis(), 0), later.answers().answer(later.basis(), 1)),
@@ -293,14 +293,14 @@ fn answers_stay_with_their_questions() {
     );
     assert!(later.answers().answer(later.basis(), 2).revealed, "what was shown stays shown");
     // Typing removes the verdict. Invalid stored data change nothing.
-    later.type_answer(2, "2\n3");
+    later.change_answers(|answers, _| answers.type_text(2, "2\n3"));
     assert_eq!(
         (later.answers().answer(later.basis(), 2).typed.as_str(), later.answers().answer(later.basis(), 2).verdict),
         ("2 3", None)
     );
     let before = later.answers().saved(later.basis());
     for name in ["", "0000000000000000"] {
-        assert!(!later.restore_answer(name, &saved[0].1));
+        assert!(!later.change_answers(|answers, run| answers.restore(run, name, &saved[0].1)));
     }
     assert_eq!(later.answers().saved(later.basis()), before);
     assert_eq!(Answer::of_lines("one line"), None);
@@ -313,9 +313,9 @@ fn all_attempts_are_kept() {
     let attempt = |typed: &str, grade| Attempt { typed: typed.to_owned(), grade };
     let mut play = utube();
     for typed in ["?\n", "123456", "123456", "-1", "123456"] {
-        play.check_answer(0, typed);
+        play.change_answers(|answers, run| answers.check(run, 0, typed));
     }
-    play.type_answer(0, "not checked");
+    play.change_answers(|answers, _| answers.type_text(0, "not checked"));
     let expected = ["?", "123456", "-1", "123456"];
     let answer = play.answers().answer(play.basis(), 0);
     let typed: Vec<&str> = answer.attempts.iter().map(|attempt| attempt.typed.trim()).collect();
@@ -330,7 +330,7 @@ fn all_attempts_are_kept() {
     // Of very many the latest are kept, whatever was stored.
     let many: Vec<Attempt> = (0..5000).map(|number| attempt(&format!("{number}\n"), Grade::Wrong)).collect();
     let (name, _) = play.answers().saved(play.basis()).remove(0);
-    assert!(play.restore_answer(&name, &Answer { attempts: many, ..saved }));
+    assert!(play.change_answers(|answers, run| answers.restore(run, &name, &Answer { attempts: many, ..saved })));
     let kept = play.answers().answer(play.basis(), 0).attempts;
     assert_eq!((kept.len(), kept.last()), (100, Some(&attempt("4999 ", Grade::Wrong))));
 }

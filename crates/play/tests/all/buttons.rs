@@ -65,7 +65,7 @@ fn a_press_acts_at_the_moment_shown() {
     go_on(&mut play, [1.015, 0.008]);
     let before = state(&play);
     assert!(play.time_line().can_press());
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     assert_eq!(play.course().time(), 1.023, "no time passes");
     let after = state(&play);
     assert!((after[0] - before[0]).abs() < 1e-6 && (after[1] - before[1] - 1.0).abs() < 1e-6, "{before:?} {after:?}");
@@ -81,15 +81,15 @@ fn a_press_acts_at_the_moment_shown() {
 #[test]
 fn while_it_plays_a_run_goes_on() {
     let mut play = kicked();
-    play.play();
-    play.tick(0.51);
-    play.press(0).unwrap();
-    play.tick(0.51);
-    play.press(0).unwrap();
-    play.press(0).unwrap();
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(0.51));
+    play.change_settings(|settings| settings.press(0)).unwrap();
+    play.change_run(|line, _| line.tick(0.51));
+    play.change_settings(|settings| settings.press(0)).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     assert!(play.time_line().is_playing());
-    play.tick(0.98);
-    play.pause();
+    play.change_run(|line, _| line.tick(0.98));
+    play.change_run(|line, _| line.pause());
     assert!((state(&play)[0] - x(&[0.51, 1.02, 1.02], 2.0)).abs() < 1e-4);
     assert_eq!(play.share(), "1&b=kick:0.51:1.02:1.02&t=2");
     by_link(&play);
@@ -98,16 +98,16 @@ fn while_it_plays_a_run_goes_on() {
 #[test]
 fn a_press_before_the_first_step() {
     let mut play = kicked();
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     assert_eq!((play.course().time(), state(&play)), (0.0, vec![0.3, 1.0]));
     by_link(&play);
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     assert_eq!(state(&play), [0.3, 2.0]);
     go_on(&mut play, [1.0]);
     assert!((state(&play)[0] - x(&[0.0, 0.0], 1.0)).abs() < 1e-4);
     let other = by_link(&play);
     assert_eq!(state(&other), state(&play));
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert_eq!((play.share(), state(&play)), (String::new(), vec![0.3, 0.0]), "a fresh start has no presses");
 }
 
@@ -115,17 +115,17 @@ fn a_press_before_the_first_step() {
 fn going_back_and_on_again_repeats_what_was_pressed() {
     for method in ["rk4", "dormand-prince", "rosenbrock"] {
         let mut play = kicked();
-        play.set_method(method).unwrap();
+        play.change_settings(|settings| settings.set_method(method)).unwrap();
         go_on(&mut play, [1.23]);
-        play.press(0).unwrap();
+        play.change_settings(|settings| settings.press(0)).unwrap();
         go_on(&mut play, [1.0]);
-        play.press(0).unwrap();
+        play.change_settings(|settings| settings.press(0)).unwrap();
         go_on(&mut play, [3.0]);
         let (run, time) = (bits(&play), play.course().time());
         for back in [0.0, 0.7, 1.23, 2.0] {
-            play.scrub(back);
+            play.change_run(|line, _| line.scrub(back));
             go_on(&mut play, [time - back]);
-            play.scrub(time);
+            play.change_run(|line, _| line.scrub(time));
             assert_eq!(bits(&play), run, "{method} from {back}");
         }
         by_link(&play);
@@ -136,17 +136,17 @@ fn going_back_and_on_again_repeats_what_was_pressed() {
 fn a_press_in_the_past_gives_up_what_followed() {
     let mut play = kicked();
     go_on(&mut play, [1.0]);
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     go_on(&mut play, [3.0]);
-    play.scrub(0.52);
+    play.change_run(|line, _| line.scrub(0.52));
     assert!(!play.time_line().has_ghost());
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     assert_eq!((play.course().time(), play.course().front()), (0.52, 0.52));
     assert!(play.time_line().has_ghost(), "the rows after it stay behind");
     go_on(&mut play, [2.0]);
     assert!((state(&play)[0] - x(&[0.52], 2.52)).abs() < 1e-4, "the later press is gone");
     // A change of a parameter also discards later presses.
-    play.scrub(0.2);
+    play.change_run(|line, _| line.scrub(0.2));
     set(&mut play, "w", 3.0);
     assert!(play.share().starts_with("1&c="), "{}", play.share());
     by_link(&play);
@@ -157,13 +157,13 @@ fn parameters_and_presses_in_one_step() {
     let mut play = kicked();
     go_on(&mut play, [1.01]);
     set(&mut play, "w", 3.0);
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     set(&mut play, "w", 4.0);
     go_on(&mut play, [0.02]);
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     go_on(&mut play, [1.0]);
-    play.step_forward();
-    play.press(0).unwrap();
+    play.change_run(|line, _| line.step_forward());
+    play.change_settings(|settings| settings.press(0)).unwrap();
     set(&mut play, "w", 1.0);
     go_on(&mut play, [1.0]);
     let other = by_link(&play);
@@ -176,16 +176,16 @@ fn parameters_and_presses_in_one_step() {
 fn kept_runs_and_the_link_keep_theirs() {
     let mut play = kicked();
     go_on(&mut play, [1.0]);
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     go_on(&mut play, [1.0]);
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     assert_eq!(play.time_line().kept(play.basis())[0].name, "Kick 1.00 s");
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     for _ in 0..4 {
         go_on(&mut play, [0.2]);
-        play.press(0).unwrap();
+        play.change_settings(|settings| settings.press(0)).unwrap();
     }
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     assert_eq!(play.time_line().kept(play.basis())[1].name, "Kick × 4");
     set(&mut play, "A", 0.5);
     assert_eq!(play.share().matches("b=").count(), 2, "an initial value has begun another run: {}", play.share());
@@ -200,36 +200,36 @@ fn kept_runs_and_the_link_keep_theirs() {
 fn nothing_is_pressed_where_an_event_has_ended_the_run() {
     let mut play = kicked();
     go_on(&mut play, [1.0]);
-    play.play();
-    play.press(1).unwrap();
+    play.change_run(|line, _| line.play());
+    play.change_settings(|settings| settings.press(1)).unwrap();
     assert_eq!(
-        (play.time_line().status(play.basis()), play.time_line().is_playing(), play.course().time()),
+        (play.time_line().status(), play.time_line().is_playing(), play.course().time()),
         (Status::Ended, false, 1.0)
     );
     assert!(!play.time_line().can_press());
-    assert_eq!(play.press(0), Err(Refusal::RunEnded));
+    assert_eq!(play.change_settings(|settings| settings.press(0)), Err(Refusal::RunEnded));
     by_link(&play);
-    play.scrub(0.5);
+    play.change_run(|line, _| line.scrub(0.5));
     assert!(play.time_line().can_press(), "before its end");
-    play.scrub(1.0);
-    play.play();
+    play.change_run(|line, _| line.scrub(1.0));
+    play.change_run(|line, _| line.play());
     assert!(play.time_line().can_press(), "gone on beyond");
-    play.press(0).unwrap();
-    play.tick(0.5);
-    play.pause();
+    play.change_settings(|settings| settings.press(0)).unwrap();
+    play.change_run(|line, _| line.tick(0.5));
+    play.change_run(|line, _| line.pause());
     assert!((state(&play)[0] - x(&[1.0], 1.5)).abs() < 1e-4);
     assert_eq!(play.share(), "1&b=Stop%3A%20now%2C%20or%20%3D%20never:1,kick:1&t=1.5");
     by_link(&play);
-    assert_eq!(play.press(7), Err(Refusal::Unknown { name: "7".into() }));
+    assert_eq!(play.change_settings(|settings| settings.press(7)), Err(Refusal::Unknown { name: "7".into() }));
 }
 
 #[test]
 fn a_run_has_room_for_so_many_presses() {
     let mut play = kicked();
     for _ in 0..300 {
-        play.press(0).unwrap();
+        play.change_settings(|settings| settings.press(0)).unwrap();
     }
-    assert_eq!(play.press(0), Err(Refusal::TooManyPresses { most: 300 }));
+    assert_eq!(play.change_settings(|settings| settings.press(0)), Err(Refusal::TooManyPresses { most: 300 }));
     assert_eq!(state(&play)[1], 300.0);
     by_link(&play);
     let mut other = kicked();
@@ -247,8 +247,8 @@ fn titles_are_translated() {
     play.set_language("es");
     let titles: Vec<String> = play.basis().buttons().into_iter().map(|button| button.title).collect();
     assert_eq!(titles, ["Patada", "Parar"]);
-    play.press(0).unwrap();
-    play.press(1).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
+    play.change_settings(|settings| settings.press(1)).unwrap();
     assert_eq!(
         play.time_line().problem(play.basis()).map(|problem| problem.message).as_deref(),
         Some("La simulación termina en t = 0 s: Parar.")
@@ -259,7 +259,7 @@ fn titles_are_translated() {
 fn a_changed_document_keeps_the_presses() {
     let mut play = kicked();
     go_on(&mut play, [1.0]);
-    play.press(0).unwrap();
+    play.change_settings(|settings| settings.press(0)).unwrap();
     go_on(&mut play, [1.0]);
     let renamed = KICKED.replace("button \"Kick\"", "button \"Push\"").replace("0.3 [m]", "0.6 [m]");
     play.replace_program(document::open(&renamed, &[]).document.unwrap().program);

@@ -37,14 +37,14 @@ fn only_values_that_can_be_chosen_are_taken() {
         [("drag", 0.5), ("drag", 2.0), ("place", 2.0), ("place", 0.5), ("place", -1.0), ("place", f64::NAN)]
     {
         let index = parameter(&play, name);
-        assert!(play.set_parameter(index, value).is_err(), "{name} {value}");
+        assert!(play.change_settings(|settings| settings.set_parameter(index, value)).is_err(), "{name} {value}");
     }
 }
 
 #[test]
 fn a_link_has_the_words_and_brings_them_back() {
     let mut play = open(&document(MODEL), &[]);
-    play.apply_preset(0).unwrap();
+    play.change_settings(|settings| settings.apply_preset(0)).unwrap();
     let link = play.share();
     assert!(link.contains("drag:off") && link.contains("place:On%20a%20moon%2C%20far%20away"), "{link}");
     let mut other = open(&document(MODEL), &[]);

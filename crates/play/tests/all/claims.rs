@@ -14,15 +14,19 @@ fn claims(play: &Play) -> Vec<ClaimView> {
 #[test]
 fn claims_are_judged_on_demand_and_in_slices() {
     let mut play = claiming();
-    assert!(!play.program().checks.is_empty() && !play.claims().is_judging(play.basis()) && !play.advance_claims());
+    assert!(
+        !play.program().checks.is_empty()
+            && !play.claims().is_judging(play.basis())
+            && !play.change_claims(|claims, basis| claims.advance(basis))
+    );
     assert!(claims(&play).iter().all(|claim| claim.holds.is_none() && claim.outcome.is_empty()));
     set(&mut play, "b", 0.0);
     go_on(&mut play, [0.1; 30]);
     let before = bits(&play);
-    play.begin_claims();
+    play.change_claims(|claims, _| claims.begin());
     assert!(play.claims().is_judging(play.basis()));
     let revision = play.revision().claims;
-    while play.advance_claims() {}
+    while play.change_claims(|claims, basis| claims.advance(basis)) {}
     assert!(!play.claims().is_judging(play.basis()) && play.revision().claims > revision);
     let found: Vec<_> = claims(&play).into_iter().map(|claim| claim.holds).collect();
     assert_eq!(found, [Some(true), Some(false)]);
@@ -32,8 +36,8 @@ fn claims_are_judged_on_demand_and_in_slices() {
 #[test]
 fn claims_are_in_the_language_of_the_page_with_what_they_suppose() {
     let mut play = claiming();
-    play.begin_claims();
-    while play.advance_claims() {}
+    play.change_claims(|claims, _| claims.begin());
+    while play.change_claims(|claims, basis| claims.advance(basis)) {}
     let names = |play: &Play| claims(play).into_iter().map(|claim| claim.name).collect::<Vec<_>>();
     assert_eq!(names(&play), ["Bound", "Displacement"]);
     let checks = play.claims().list(play.basis());

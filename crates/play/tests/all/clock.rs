@@ -35,10 +35,10 @@ fn model_time_is_wall_time_at_any_frame_rate() {
         go_on(&mut play, frames);
         assert!((play.course().time() - 10.0).abs() < 1e-9, "{}", play.course().time());
         // The rows are bit-identical. The moment shown deviates by the rounding of the sum of the frames.
-        play.scrub(9.99);
+        play.change_run(|line, _| line.scrub(9.99));
         let mut other = utube();
         go_on(&mut other, [10.0]);
-        other.scrub(9.99);
+        other.change_run(|line, _| line.scrub(9.99));
         assert_eq!(state(&play), state(&other));
         let rows = |csv: &str| csv.lines().take(200).map(str::to_owned).collect::<Vec<_>>();
         assert_eq!(rows(&bits(&play)), rows(&expected.0));
@@ -48,17 +48,17 @@ fn model_time_is_wall_time_at_any_frame_rate() {
 #[test]
 fn the_drawing_moves_between_steps() {
     let mut play = utube();
-    play.play();
+    play.change_run(|line, _| line.play());
     let mut shown = Vec::new();
     for _ in 0..12 {
-        play.tick(1.0 / 240.0);
+        play.change_run(|line, _| line.tick(1.0 / 240.0));
         shown.push(state(&play)[0]);
     }
     assert!(shown.windows(2).all(|pair| pair[1] < pair[0]), "{shown:?}");
     // y'' = -2 g y / L at the start: y(0.05) = 0.5 - 0.5 * 1.4 * 0.05 * 0.05 in the first approximation.
     assert!((shown[11] - (0.5 - 0.00175)).abs() < 2e-5, "{shown:?}");
     assert_eq!(play.values().table_length(), 1, "the row ahead of the moment shown is not there yet");
-    play.tick(1.0 / 240.0);
+    play.change_run(|line, _| line.tick(1.0 / 240.0));
     assert_eq!(play.values().table_length(), 2);
 }
 
@@ -66,19 +66,19 @@ fn the_drawing_moves_between_steps() {
 fn speeds_multiply() {
     for speed in SPEEDS {
         let mut play = utube();
-        play.set_speed(speed);
+        play.change_run(|line, _| line.set_speed(speed));
         assert_eq!(play.time_line().speed(), speed);
         go_on(&mut play, frames(60.0, 2.0));
         assert!((play.course().time() - 2.0 * speed).abs() < 1e-9);
     }
     let mut play = utube();
     for nonsense in [f64::NAN, f64::INFINITY] {
-        play.set_speed(nonsense);
+        play.change_run(|line, _| line.set_speed(nonsense));
         assert_eq!(play.time_line().speed(), 1.0);
     }
-    play.set_speed(-3.0);
+    play.change_run(|line, _| line.set_speed(-3.0));
     assert_eq!(play.time_line().speed(), 0.125);
-    play.set_speed(100.0);
+    play.change_run(|line, _| line.set_speed(100.0));
     assert_eq!(play.time_line().speed(), 8.0);
 }
 
@@ -104,7 +104,7 @@ fn a_document_says_how_fast_it_is_watched() {
     );
     go_on(&mut play, [1.0]);
     assert!((play.course().time() - 0.5 * day).abs() < 1e-6);
-    play.set_speed(2.0);
+    play.change_run(|line, _| line.set_speed(2.0));
     go_on(&mut play, [0.25]);
     assert!((play.course().time() - 0.75 * day).abs() < 1e-6);
     assert_eq!(play.share(), "1&t=64800&x=2", "a link holds the multiple, as it always did");
@@ -119,7 +119,7 @@ fn a_run_pauses_at_its_end_and_can_be_continued() {
     let mut play = days();
     go_on(&mut play, [1.0, 7.0]);
     assert_eq!(
-        (play.course().time(), play.time_line().status(play.basis()), play.time_line().is_playing()),
+        (play.course().time(), play.time_line().status(), play.time_line().is_playing()),
         (day, Status::Ended, false)
     );
     assert!((state(&play)[0] - 1.0).abs() < 1e-12);
@@ -128,53 +128,53 @@ fn a_run_pauses_at_its_end_and_can_be_continued() {
     assert_eq!(told, [Announcement::Playing, Announcement::Ended(day)]);
     assert_eq!(told[1].text(play.basis(), play.time_line()), "The run ends at 1.00 d; press Play to continue");
     let link = play.share();
-    play.play();
-    play.tick(1.0);
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(1.0));
     assert_eq!((play.course().time(), play.time_line().is_playing()), (1.5 * day, true));
     // After scrubbing back, the end is ahead again.
-    play.scrub(0.5 * day);
-    assert_eq!(play.time_line().status(play.basis()), Status::Paused);
+    play.change_run(|line, _| line.scrub(0.5 * day));
+    assert_eq!(play.time_line().status(), Status::Paused);
     go_on(&mut play, [60.0]);
-    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (day, Status::Ended));
-    play.step_forward();
-    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (4.0 * 0.3 * day, Status::Paused));
+    assert_eq!((play.course().time(), play.time_line().status()), (day, Status::Ended));
+    play.change_run(|line, _| line.step_forward());
+    assert_eq!((play.course().time(), play.time_line().status()), (4.0 * 0.3 * day, Status::Paused));
     let mut other = days();
     other.restore(&link).unwrap();
-    assert_eq!((other.course().time(), other.time_line().status(other.basis())), (day, Status::Ended));
+    assert_eq!((other.course().time(), other.time_line().status()), (day, Status::Ended));
 }
 
 #[test]
 fn a_step_stops_at_the_end() {
     let mut play = days();
     for _ in 0..4 {
-        play.step_forward();
+        play.change_run(|line, _| line.step_forward());
     }
-    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (86_400.0, Status::Ended));
+    assert_eq!((play.course().time(), play.time_line().status()), (86_400.0, Status::Ended));
 }
 
 #[test]
 fn a_hidden_page_goes_on_and_a_sleeping_machine_does_not() {
     let mut play = utube();
-    play.play();
-    assert!(play.tick(30.0));
+    play.change_run(|line, _| line.play());
+    assert!(play.change_run(|line, _| line.tick(30.0)));
     assert!((play.course().time() - 30.0).abs() < 1e-9);
-    assert!(!play.tick(3600.0));
+    assert!(!play.change_run(|line, _| line.tick(3600.0)));
     assert!((play.course().time() - 30.0).abs() < 1e-9);
     assert_eq!(play.time_line().slippage(), 0.0);
-    assert!(!play.tick(f64::NAN) && !play.tick(-1.0));
+    assert!(!play.change_run(|line, _| line.tick(f64::NAN)) && !play.change_run(|line, _| line.tick(-1.0)));
 }
 
 #[test]
 fn what_cannot_be_computed_in_time_is_visible() {
     let mut play = utube();
-    play.set_step(1e-6).unwrap();
-    play.play();
-    play.tick(0.1);
+    play.change_settings(|settings| settings.set_step(1e-6)).unwrap();
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(0.1));
     let computed = play.course().time();
     assert!((1e-3..0.05).contains(&computed), "{computed}");
     assert!((play.time_line().slippage() - (0.1 - computed)).abs() < 1e-12);
     // The delay is not made up for: the next tick advances by its own duration only.
-    play.tick(0.001);
+    play.change_run(|line, _| line.tick(0.001));
     assert!((play.course().time() - computed - 0.001).abs() < 1e-12);
 }
 
@@ -182,16 +182,16 @@ fn what_cannot_be_computed_in_time_is_visible() {
 fn steps_go_from_grid_time_to_grid_time() {
     let mut play = utube();
     go_on(&mut play, [0.13]);
-    play.step_forward();
+    play.change_run(|line, _| line.step_forward());
     assert_eq!(play.course().time(), 3.0 * 0.05);
-    play.step_forward();
+    play.change_run(|line, _| line.step_forward());
     assert_eq!(play.course().time(), 4.0 * 0.05);
-    play.step_back();
-    play.step_back();
+    play.change_run(|line, _| line.step_back());
+    play.change_run(|line, _| line.step_back());
     assert_eq!(play.course().time(), 2.0 * 0.05);
     assert!(play.course().is_scrubbed());
     for _ in 0..5 {
-        play.step_back();
+        play.change_run(|line, _| line.step_back());
     }
     assert_eq!(play.course().time(), 0.0);
     assert_eq!(play.course().front(), 4.0 * 0.05);
@@ -213,7 +213,7 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
     let source = "---\ntitle: Runaway\n---\n```model\nparameter k = 1 [1/s] in 0..100\ny' = k*y^3\ny(0) = 1\n```\n";
     let mut play = open(source, &[]);
     go_on(&mut play, [10.0]);
-    assert_eq!(play.time_line().status(play.basis()), Status::Failed);
+    assert_eq!(play.time_line().status(), Status::Failed);
     let problem = play.time_line().problem(play.basis()).unwrap();
     assert_eq!(problem.code, "not-finite");
     assert!(play.course().time() < 0.7 && state(&play)[0].is_finite());
@@ -225,11 +225,11 @@ fn a_run_that_fails_says_so_and_shows_the_last_good_moment() {
         "y supera el mayor número representable después de t = 0,55 s."
     );
     // Scrub back and continue with a value that works.
-    play.scrub(0.2);
-    assert_eq!((play.time_line().status(play.basis()), play.time_line().problem(play.basis())), (Status::Paused, None));
+    play.change_run(|line, _| line.scrub(0.2));
+    assert_eq!((play.time_line().status(), play.time_line().problem(play.basis())), (Status::Paused, None));
     set(&mut play, "k", 0.0);
     go_on(&mut play, [1.0]);
-    assert_eq!(play.time_line().status(play.basis()), Status::Paused);
+    assert_eq!(play.time_line().status(), Status::Paused);
     assert!((play.course().time() - 1.2).abs() < 1e-9);
 }
 
@@ -244,19 +244,19 @@ fn a_full_history_pauses_the_run() {
     }
     source += "```\n";
     let mut play = open(&source, &[]);
-    play.play();
+    play.change_run(|line, _| line.play());
     for _ in 0..100 {
-        play.tick(1.0);
+        play.change_run(|line, _| line.tick(1.0));
     }
-    assert_eq!(play.time_line().status(play.basis()), Status::Full);
+    assert_eq!(play.time_line().status(), Status::Full);
     let front = play.course().front();
     assert!((20.0..40.0).contains(&front), "{front}");
-    play.play();
-    assert_eq!((play.time_line().status(play.basis()), play.course().front()), (Status::Full, front));
-    play.scrub(1.0);
-    assert_eq!(play.time_line().status(play.basis()), Status::Paused);
-    play.play();
-    play.tick(0.5);
+    play.change_run(|line, _| line.play());
+    assert_eq!((play.time_line().status(), play.course().front()), (Status::Full, front));
+    play.change_run(|line, _| line.scrub(1.0));
+    assert_eq!(play.time_line().status(), Status::Paused);
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(0.5));
     assert!(play.time_line().is_playing() && play.course().front() == 1.5);
 }
 

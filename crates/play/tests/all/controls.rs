@@ -6,7 +6,8 @@ use play::{Announcement, Play, Refusal};
 fn refused(play: &mut Play, name: &str, text: &str) -> String {
     let index = parameter(play, name);
     let before = play.course().parameters().to_vec();
-    let refusal = play.set_parameter_text(index, text).expect_err("this is to be refused");
+    let refusal =
+        play.change_settings(|settings| settings.set_parameter_text(index, text)).expect_err("this is to be refused");
     assert_eq!(play.course().parameters(), before);
     play.basis().refusal_text(&refusal)
 }
@@ -21,14 +22,14 @@ fn expressions_are_taken_as_presets_have_them() {
         ("3*50", 150.0),
         ("0,1 t/s", 0.1e3),
     ] {
-        play.set_parameter_text(b, text).unwrap();
+        play.change_settings(|settings| settings.set_parameter_text(b, text)).unwrap();
         let value = play.basis().parameter(play.course(), b).unwrap().value;
         assert!((value - expected).abs() < 1e-9 * expected, "{text}: {value} and not {expected}");
     }
-    play.set_state_text(0, "-y(0)/2").unwrap();
+    play.change_settings(|settings| settings.set_state_text(0, "-y(0)/2")).unwrap();
     assert_eq!(play.values().state(0).unwrap().value, -0.25);
     for text in ["2*m", "b*t", "y'*m", "2*", "regime", "1/0", "nothing"] {
-        assert!(play.set_parameter_text(b, text).is_err(), "{text}");
+        assert!(play.change_settings(|settings| settings.set_parameter_text(b, text)).is_err(), "{text}");
     }
 }
 
@@ -46,7 +47,7 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
         ("v_0", "−18 km/h", -5.0),
     ] {
         let index = parameter(&play, name);
-        play.set_parameter_text(index, text).unwrap();
+        play.change_settings(|settings| settings.set_parameter_text(index, text)).unwrap();
         assert_eq!(play.course().parameters()[index], expected, "{name} = {text}");
     }
     for (name, text, expected) in [
@@ -65,10 +66,13 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
     play.set_language("es");
     assert_eq!(refused(&mut play, "h_l", "1,5"), "Altura izquierda: como mínimo 2 m.");
     assert_eq!(refused(&mut play, "S", "2,5"), "Sección: como máximo 2 m².");
-    assert!(play.set_parameter(99, 1.0).is_err() && play.set_parameter_text(99, "1").is_err());
-    assert!(play.set_parameter(0, f64::NAN).is_err());
-    play.slide(99, 1);
-    play.restore_default(99);
+    assert!(
+        play.change_settings(|settings| settings.set_parameter(99, 1.0)).is_err()
+            && play.change_settings(|settings| settings.set_parameter_text(99, "1")).is_err()
+    );
+    assert!(play.change_settings(|settings| settings.set_parameter(0, f64::NAN)).is_err());
+    play.change_settings(|settings| settings.slide(99, 1));
+    play.change_settings(|settings| settings.slide(99, 0));
 }
 
 #[test]
@@ -78,7 +82,7 @@ fn a_field_that_is_left_as_it_is_does_not_round_the_value() {
     set(&mut play, "b", 1_979.898_987_322_333);
     let shown = play.basis().parameter(play.course(), b).unwrap();
     assert_eq!((shown.text.as_str(), shown.spoken.as_str()), ("1979.9", "1979.9 kg/s"));
-    play.set_parameter_text(b, &shown.text).unwrap();
+    play.change_settings(|settings| settings.set_parameter_text(b, &shown.text)).unwrap();
     assert_eq!(play.course().parameters()[b], 1_979.898_987_322_333);
 }
 
@@ -91,10 +95,10 @@ fn controls_show_what_they_set() {
     assert_eq!(view.range, Some(("0,01".to_owned(), "2".to_owned())));
     assert_eq!(view.slider.map(|slider| (slider.position, slider.positions)), Some((4, 199)));
     assert!(view.is_default && !view.restarts);
-    play.slide(view.index, 9);
+    play.change_settings(|settings| settings.slide(view.index, 9));
     let view = play.basis().parameter(play.course(), view.index).unwrap();
     assert_eq!((view.value, view.is_default), (0.1, false));
-    play.restore_defaults();
+    play.change_settings(|settings| settings.restore_defaults());
     assert!(play.basis().parameters(play.course()).iter().all(|parameter| parameter.is_default));
 }
 
@@ -104,10 +108,10 @@ fn the_damping_slider_is_fine_near_zero_and_reaches_critical_damping() {
     let b = parameter(&play, "b");
     let slider = play.basis().parameter(play.course(), b).unwrap().slider.unwrap();
     assert!((10..50).contains(&slider.position), "{slider:?}");
-    play.slide(b, 1);
+    play.change_settings(|settings| settings.slide(b, 1));
     assert!(play.course().parameters()[b] < 0.1);
     set(&mut play, "rho", 13600.0);
-    play.slide(b, slider.positions);
+    play.change_settings(|settings| settings.slide(b, slider.positions));
     assert_eq!(crate::support::readout(&mut play, "regime"), "overdamped");
 }
 
@@ -122,22 +126,22 @@ fn presets_are_computed_one_after_the_other() {
         presets.filter(|preset| preset.selected).map(|preset| preset.name).collect::<Vec<_>>()
     };
     assert_eq!(selected(&mut play), ["Water"]);
-    play.apply_preset(3).unwrap();
+    play.change_settings(|settings| settings.apply_preset(3)).unwrap();
     // 2 m omega_0 = 2 * 350 kg * sqrt(2 * 9.8 / 7) s^-1.
     let b = parameter(&play, "b");
     assert!((play.course().parameters()[b] - 700.0 * 2.8_f64.sqrt()).abs() < 1e-9);
     assert_eq!(selected(&mut play), ["Water", "Critical"]);
     assert_eq!(groups[1].presets[1].description, "b = 1171.32 kg/s");
-    play.apply_preset(4).unwrap();
+    play.change_settings(|settings| settings.apply_preset(4)).unwrap();
     let mercury = 13534.0 * 0.05 * 7.0;
     assert!((play.course().parameters()[b] - 2.0 * mercury * 2.8_f64.sqrt()).abs() < 1e-6);
     assert_eq!(selected(&mut play), ["Mercury", "Critical", "Mercury, critical"]);
     // A value out of the range is refused, and nothing is set.
     let before = play.course().parameters().to_vec();
-    let refusal = play.apply_preset(5).unwrap_err();
+    let refusal = play.change_settings(|settings| settings.apply_preset(5)).unwrap_err();
     assert_eq!(play.basis().refusal_text(&refusal), "Damping: at most 20000 kg/s.");
     assert_eq!(play.course().parameters(), before);
-    assert!(play.apply_preset(99).is_err());
+    assert!(play.change_settings(|settings| settings.apply_preset(99)).is_err());
     play.set_language("es");
     assert_eq!(play.controls().presets(play.basis(), play.course())[0].presets[1].name, "Mercurio");
 }
@@ -147,19 +151,19 @@ fn the_state_is_set_by_hand_while_paused() {
     let mut play = utube();
     go_on(&mut play, [1.0]);
     let velocity = state(&play)[1];
-    play.set_state_text(0, "80 cm").unwrap();
+    play.change_settings(|settings| settings.set_state_text(0, "80 cm")).unwrap();
     assert_eq!((play.course().time(), state(&play)), (0.0, vec![0.8, velocity]));
-    assert!(play.time_line().has_ghost() && play.is_started_by_hand());
-    play.play();
-    assert_eq!(play.set_state(0, 0.1), Err(Refusal::NotPaused));
-    play.tick(0.5);
-    play.pause();
+    assert!(play.time_line().has_ghost() && play.course().is_started_by_hand());
+    play.change_run(|line, _| line.play());
+    assert_eq!(play.change_settings(|settings| settings.set_state(0, 0.1)), Err(Refusal::NotPaused));
+    play.change_run(|line, _| line.tick(0.5));
+    play.change_run(|line, _| line.pause());
     // The restart discards the state set by hand.
     set(&mut play, "h_l", 4.0);
     assert_eq!(state(&play), [1.0, 0.0]);
-    assert!(play.set_state(0, f64::INFINITY).is_err());
-    assert!(play.set_state(7, 1.0).is_err());
-    assert!(play.set_state_text(0, "1 s").is_err());
+    assert!(play.change_settings(|settings| settings.set_state(0, f64::INFINITY)).is_err());
+    assert!(play.change_settings(|settings| settings.set_state(7, 1.0)).is_err());
+    assert!(play.change_settings(|settings| settings.set_state_text(0, "1 s")).is_err());
 }
 
 #[test]
@@ -170,17 +174,17 @@ fn methods_and_steps_are_chosen() {
     assert!(methods.iter().all(|method| method.refused.is_empty()));
     assert_eq!(methods.iter().find(|method| method.selected).map(|method| method.name), Some("rk4"));
     for method in methods {
-        play.set_method(method.name).unwrap();
+        play.change_settings(|settings| settings.set_method(method.name)).unwrap();
         go_on(&mut play, [1.0]);
         // y = 0.5 cos(omega t) except for a little damping and, with Euler's method, a small error.
         assert!((state(&play)[0] - 0.5 * libm::cos(2.8_f64.sqrt())).abs() < 0.06, "{}", method.name);
     }
-    assert!(play.set_method("leapfrog").is_err());
+    assert!(play.change_settings(|settings| settings.set_method("leapfrog")).is_err());
     assert_eq!(play.basis().step_text(play.course()), ("0.05".to_owned(), "s".to_owned()));
-    play.set_step_text("10 ms").unwrap();
+    play.change_settings(|settings| settings.set_step_text("10 ms")).unwrap();
     assert_eq!((play.course().begun().step, play.course().time()), (0.01, 0.0));
     for text in ["0", "-1", "x", "1 m", "nan"] {
-        assert!(play.set_step_text(text).is_err(), "{text}");
+        assert!(play.change_settings(|settings| settings.set_step_text(text)).is_err(), "{text}");
     }
 }
 
@@ -188,7 +192,7 @@ fn methods_and_steps_are_chosen() {
 fn verlet_is_refused_for_an_equation_of_first_order() {
     let source = "---\ntitle: Decay\n---\n```model\ny' = -y/(1 [s])\ny(0) = 1\n```\n";
     let mut play = crate::support::open(source, &[]);
-    let refusal = play.set_method("velocity-verlet").unwrap_err();
+    let refusal = play.change_settings(|settings| settings.set_method("velocity-verlet")).unwrap_err();
     assert_eq!(play.basis().refusal_text(&refusal), "velocity Verlet is for equations of second order only.");
     assert!(
         play.basis().methods(play.course()).iter().any(|method| method.refused == play.basis().refusal_text(&refusal))
@@ -200,13 +204,13 @@ fn verlet_is_refused_for_an_equation_of_first_order() {
 #[test]
 fn everything_is_announced() {
     let mut play = utube();
-    play.play();
-    play.tick(1.0);
-    play.pause();
-    play.set_speed(0.25);
-    play.apply_preset(1).unwrap();
-    play.step_forward();
-    play.back_to_start();
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(1.0));
+    play.change_run(|line, _| line.pause());
+    play.change_run(|line, _| line.set_speed(0.25));
+    play.change_settings(|settings| settings.apply_preset(1)).unwrap();
+    play.change_run(|line, _| line.step_forward());
+    play.change_run(|line, basis| line.back_to_start(basis));
     let mut texts = Vec::new();
     while let Some(announcement) = play.take_announcement() {
         texts.push(announcement.text(play.basis(), play.time_line()));

@@ -23,12 +23,12 @@ fn a_run_takes_5_to_20_seconds_to_watch() {
     go_on(&mut play, [1.0, 0.5]);
     assert_eq!((play.course().time(), play.basis().time_text(play.course()).as_str()), (4.5, "4"), "counts are whole");
     let at_4 = state(&play);
-    play.scrub(4.0);
+    play.change_run(|line, _| line.scrub(4.0));
     assert_eq!(state(&play), at_4, "the value holds from one count to the next");
-    play.scrub(3.999);
+    play.change_run(|line, _| line.scrub(3.999));
     assert_ne!(state(&play), at_4);
     go_on(&mut play, [10.0]);
-    assert_eq!((play.course().time(), play.time_line().status(play.basis())), (12.0, Status::Ended));
+    assert_eq!((play.course().time(), play.time_line().status()), (12.0, Status::Ended));
     assert_eq!(bits(&play).lines().count(), 14, "a heading and one row for each count: {}", bits(&play));
 }
 
@@ -55,7 +55,10 @@ fn a_seed_decides_the_run() {
     go_on(&mut play, [2.0]);
     let first = bits(&play);
     let index = crate::support::parameter(&play, "seed");
-    assert!(play.set_parameter(index, 1.5).is_err() && play.set_parameter(index, 10_000.0).is_err());
+    assert!(
+        play.change_settings(|settings| settings.set_parameter(index, 1.5)).is_err()
+            && play.change_settings(|settings| settings.set_parameter(index, 10_000.0)).is_err()
+    );
     crate::support::set(&mut play, "seed", 2.0);
     assert_eq!(play.course().time(), 0.0);
     go_on(&mut play, [2.0]);
@@ -64,7 +67,7 @@ fn a_seed_decides_the_run() {
     let mut other = open(source, &[]);
     other.restore(&play.share()).expect("the link holds");
     assert_eq!(bits(&other), second);
-    play.scrub(7.0);
+    play.change_run(|line, _| line.scrub(7.0));
     go_on(&mut play, [1.3]);
     assert_eq!(bits(&play), second, "going back changes no draw");
     crate::support::set(&mut play, "seed", 1.0);

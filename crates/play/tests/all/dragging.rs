@@ -17,30 +17,30 @@ fn handle(play: &Play) -> play::program::Drag {
 fn the_liquid_follows_the_pointer_and_is_let_go() {
     let mut play = utube();
     let drag = handle(&play);
-    play.play();
-    play.tick(1.0);
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(1.0));
     let held = state(&play)[0];
-    play.drag_begin(&drag);
+    play.change_settings(|settings| settings.drag_begin(&drag));
     assert!(!play.time_line().is_playing() && play.controls().is_dragging());
-    play.drag_move(500.0, 10.0);
+    play.change_settings(|settings| settings.drag_move(500.0, 10.0));
     assert_eq!(play.course().time(), 0.0);
     assert!((state(&play)[0] - (held + 0.25)).abs() < 1e-12);
     assert_eq!(state(&play)[1], 0.0, "what is held is at rest");
-    play.drag_move(0.0, -4.0);
+    play.change_settings(|settings| settings.drag_move(0.0, -4.0));
     assert!((state(&play)[0] - (held - 0.1)).abs() < 1e-12);
     // Limited to the height of the scene.
-    play.drag_move(0.0, 1e9);
+    play.change_settings(|settings| settings.drag_move(0.0, 1e9));
     assert!((state(&play)[0] - (held + 300.0 * 0.025)).abs() < 1e-9);
-    play.drag_move(f64::NAN, 1.0);
-    play.drag_move(0.0, 8.0);
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_move(f64::NAN, 1.0));
+    play.change_settings(|settings| settings.drag_move(0.0, 8.0));
+    play.change_settings(|settings| settings.drag_end());
     assert!(play.time_line().is_playing() && !play.controls().is_dragging());
     let from = state(&play);
-    play.tick(0.5);
+    play.change_run(|line, _| line.tick(0.5));
     assert!(state(&play)[0] < from[0]);
     assert!(play.time_line().has_ghost());
-    play.drag_move(0.0, 5.0);
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_move(0.0, 5.0));
+    play.change_settings(|settings| settings.drag_end());
 }
 
 #[test]
@@ -48,14 +48,14 @@ fn the_liquid_goes_no_further_than_the_drawing() {
     let source = crate::support::UTUBE.replace("{100 - 40*y/(1 [m])}", "{100 - 40*min(y, 2 [m])/(1 [m])}");
     let mut play = crate::support::open(&source, &[]);
     let drag = handle(&play);
-    play.drag_begin(&drag);
-    play.drag_move(0.0, 250.0);
+    play.change_settings(|settings| settings.drag_begin(&drag));
+    play.change_settings(|settings| settings.drag_move(0.0, 250.0));
     assert!((state(&play)[0] - 2.0).abs() < 1e-9, "{:?}", state(&play));
-    play.drag_move(0.0, 20.0);
+    play.change_settings(|settings| settings.drag_move(0.0, 20.0));
     assert!((state(&play)[0] - 1.0).abs() < 1e-12);
-    play.drag_move(0.0, -200.0);
+    play.change_settings(|settings| settings.drag_move(0.0, -200.0));
     assert!((state(&play)[0] + 4.5).abs() < 1e-12, "downwards nothing limits it");
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_end());
     let told = std::iter::from_fn(|| play.take_announcement()).last();
     assert_eq!(told, Some(Announcement::StateSet(0, -4.5)));
 }
@@ -71,23 +71,23 @@ fn a_drag_at_the_start_sets_the_parameters_that_decide_it() {
     for (up, y, h_l, h_r) in
         [(12.0, 0.8, 3.3, 1.7), (-12.0, 0.5, 3.0, 2.0), (-20.0, 0.0, 2.5, 2.5), (-24.0, -0.6, 1.9, 3.1)]
     {
-        play.drag_begin(&drag);
-        play.drag_move(0.0, 3.0);
-        play.drag_move(0.0, up);
-        play.drag_end();
+        play.change_settings(|settings| settings.drag_begin(&drag));
+        play.change_settings(|settings| settings.drag_move(0.0, 3.0));
+        play.change_settings(|settings| settings.drag_move(0.0, up));
+        play.change_settings(|settings| settings.drag_end());
         let near = |value: f64, expected: f64| (value - expected).abs() < 1e-12;
         let [left, right] = heights(&play);
         assert!(near(state(&play)[0], y) && near(left, h_l) && near(right, h_r), "{up}: {left} {right}");
-        assert!(!play.is_started_by_hand());
+        assert!(!play.course().is_started_by_hand());
     }
     let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
     let text = told.text(play.basis(), play.time_line());
     assert_eq!(text, "Displacement: -0.6 m; Left height: 1.9 m, Right height: 3.1 m".replace('-', "−"));
     // After playing and going back, the run starts there again. The document's values return on request.
     go_on(&mut play, [1.0]);
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert!((state(&play)[0] + 0.6).abs() < 1e-12);
-    play.restore_defaults();
+    play.change_settings(|settings| settings.restore_defaults());
     assert_eq!((state(&play), heights(&play)), (vec![0.5, 0.0], [3.0, 2.0]));
 }
 
@@ -96,18 +96,18 @@ fn a_drag_at_the_start_leaves_the_other_initial_values() {
     let mut play = utube();
     set(&mut play, "v_0", 2.0);
     let drag = handle(&play);
-    play.drag_begin(&drag);
-    play.drag_move(0.0, -12.0);
+    play.change_settings(|settings| settings.drag_begin(&drag));
+    play.change_settings(|settings| settings.drag_move(0.0, -12.0));
     assert!((state(&play)[0] - 0.2).abs() < 1e-12);
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_end());
     assert_eq!(state(&play)[1], 2.0);
     // At any later moment the drag sets a start by hand, with the dragged variable at rest.
     go_on(&mut play, [0.5]);
-    play.drag_begin(&drag);
-    play.drag_move(0.0, -12.0);
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_begin(&drag));
+    play.change_settings(|settings| settings.drag_move(0.0, -12.0));
+    play.change_settings(|settings| settings.drag_end());
     assert_eq!(state(&play)[1], 0.0);
-    assert!(play.is_started_by_hand());
+    assert!(play.course().is_started_by_hand());
 }
 
 /// If a range ends or no parameter determines the value, the state itself becomes the start: it is played from,
@@ -119,29 +119,29 @@ fn what_no_parameter_can_follow_is_kept_as_the_start() {
         let mut play = crate::support::open(source, &[]);
         let drag = handle(&play);
         let parameters = play.course().parameters().to_vec();
-        play.drag_begin(&drag);
-        play.drag_move(0.0, 12.0);
-        play.drag_end();
-        assert!(play.is_started_by_hand(), "the right height is at the end of its range");
+        play.change_settings(|settings| settings.drag_begin(&drag));
+        play.change_settings(|settings| settings.drag_move(0.0, 12.0));
+        play.change_settings(|settings| settings.drag_end());
+        assert!(play.course().is_started_by_hand(), "the right height is at the end of its range");
         assert_eq!(play.course().parameters(), parameters);
         assert!((state(&play)[0] - 0.8).abs() < 1e-12);
         go_on(&mut play, [1.0]);
-        play.back_to_start();
-        assert!(play.is_started_by_hand() && (state(&play)[0] - 0.8).abs() < 1e-12);
+        play.change_run(|line, basis| line.back_to_start(basis));
+        assert!(play.course().is_started_by_hand() && (state(&play)[0] - 0.8).abs() < 1e-12);
         let told = std::iter::from_fn(|| play.take_announcement()).last().unwrap();
         assert_eq!(told.text(play.basis(), play.time_line()), "Back at the start that was set by hand");
         let mut other = crate::support::open(source, &[]);
         other.restore(&play.share()).unwrap();
         assert_eq!(state(&other), state(&play));
-        play.restore_defaults();
-        assert!(!play.is_started_by_hand());
+        play.change_settings(|settings| settings.restore_defaults());
+        assert!(!play.course().is_started_by_hand());
         assert_eq!(state(&play), [0.5, 0.0]);
         let told = std::iter::from_fn(|| play.take_announcement()).last();
         assert_eq!(told, Some(Announcement::DefaultsRestored));
     }
     // A parameter that determines the start discards it, too, and announces this even at time 0.
     let mut play = utube();
-    play.set_state(0, 0.7).unwrap();
+    play.change_settings(|settings| settings.set_state(0, 0.7)).unwrap();
     set(&mut play, "h_l", 4.0);
     let told: Vec<_> = std::iter::from_fn(|| play.take_announcement()).collect();
     assert!(told.contains(&Announcement::Restarted(parameter(&play, "h_l"))), "{told:?}");
@@ -157,10 +157,10 @@ fn a_curved_start_is_met_exactly() {
     let drag = handle(&play);
     for up in [1.0, 7.0, -15.0, 40.0, -0.001] {
         let before = state(&play)[0];
-        play.drag_begin(&drag);
-        play.drag_move(0.0, up);
-        play.drag_end();
-        assert!(!play.is_started_by_hand(), "{up}");
+        play.change_settings(|settings| settings.drag_begin(&drag));
+        play.change_settings(|settings| settings.drag_move(0.0, up));
+        play.change_settings(|settings| settings.drag_end());
+        assert!(!play.course().is_started_by_hand(), "{up}");
         assert!((state(&play)[0] - (before + up)).abs() < 1e-7 * (before + up).abs(), "{up}: {:?}", state(&play));
         let [v, c] = play.course().parameters() else { panic!() };
         assert!((0.0..=20.0).contains(v) && c.is_finite());
@@ -173,13 +173,19 @@ fn a_click_on_the_liquid_changes_nothing() {
     let drag = handle(&play);
     go_on(&mut play, [1.0]);
     let before = bits(&play);
-    play.drag_begin(&drag);
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_begin(&drag));
+    play.change_settings(|settings| settings.drag_end());
     assert_eq!(bits(&play), before);
     assert!(!play.time_line().is_playing());
-    play.drag_begin(&play::program::Drag { target: play::program::Dragged::State(9), up: None, right: Some(77) });
-    play.drag_move(1.0, 1.0);
-    play.drag_end();
+    play.change_settings(|settings| {
+        settings.drag_begin(&play::program::Drag {
+            target: play::program::Dragged::State(9),
+            up: None,
+            right: Some(77),
+        })
+    });
+    play.change_settings(|settings| settings.drag_move(1.0, 1.0));
+    play.change_settings(|settings| settings.drag_end());
     assert_eq!(bits(&play), before);
 }
 
@@ -190,17 +196,17 @@ fn a_parameter_is_dragged_within_its_range_while_the_run_goes_on() {
     let mut play = crate::support::open(source, &[]);
     let drag = handle(&play);
     assert_eq!(play.grips().range(&drag), Some((0.0, 2.0)));
-    play.play();
-    play.drag_begin(&drag);
-    play.drag_move(5.0, 7.0);
+    play.change_run(|line, _| line.play());
+    play.change_settings(|settings| settings.drag_begin(&drag));
+    play.change_settings(|settings| settings.drag_move(5.0, 7.0));
     assert!(play.time_line().is_playing() && play.controls().is_dragging());
     assert_eq!(play.basis().parameters(play.course())[0].value, 1.5);
-    play.tick(0.5);
+    play.change_run(|line, _| line.tick(0.5));
     assert!(state(&play)[0] > 0.5, "it follows the new value: {:?}", state(&play));
-    play.drag_move(1e9, 0.0);
+    play.change_settings(|settings| settings.drag_move(1e9, 0.0));
     assert_eq!(play.basis().parameters(play.course())[0].value, 2.0);
-    play.drag_move(f64::INFINITY, 0.0);
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_move(f64::INFINITY, 0.0));
+    play.change_settings(|settings| settings.drag_end());
     assert_eq!(play.basis().parameters(play.course())[0].value, 2.0);
     assert!(play.time_line().is_playing());
     let told = std::iter::from_fn(|| play.take_announcement()).last();

@@ -1,7 +1,7 @@
 //! Curves drawn by the reader.
 
 use crate::support::{bits, go_on, open, set, state};
-use play::{Announcement, DrawingView, Play, Refusal};
+use play::{Announcement, DrawingView, Extent, Play, Refusal};
 
 const PUSHED: &str = "---
 title: Pushed
@@ -47,7 +47,7 @@ fn curve(play: &Play, index: usize) -> DrawingView {
 /// Draws a constant height.
 fn level(play: &mut Play, index: usize, height: f64) {
     let heights = vec![height; curve(play, index).heights.len()];
-    play.draw(index, &heights).unwrap();
+    play.change_settings(|settings| settings.draw(index, &heights)).unwrap();
 }
 
 fn by_link(play: &Play) -> Play {
@@ -93,13 +93,14 @@ fn a_constant_push_gives_the_parabola() {
 fn the_link_is_short_and_repeats_it() {
     let mut play = pushed();
     let heights: Vec<f64> = (0..51).map(|point| f64::from(point) / 50.0).collect();
-    play.draw(0, &heights).unwrap();
+    play.change_settings(|settings| settings.draw(0, &heights)).unwrap();
     set(&mut play, "m", 3.0);
     go_on(&mut play, [2.0]);
     let link = play.share();
     assert!(link.starts_with("1&p=m:3&a=F:AABQCgDwFAGQ") && link.len() < 140, "{link}");
     let other = by_link(&play);
     assert_eq!(curve(&other, 0), curve(&play, 0));
+    assert!(play.share_within(Extent::Start).starts_with("1&p=m:3&a=F:"), "a film of the run has its curves");
     for wrong in
         ["a=F:AAA", "a=G:AAAA", "a=F", &format!("a=F:{}", "_".repeat(104)), &format!("a=F:{}", "A".repeat(105))]
     {
@@ -113,7 +114,7 @@ fn kept_runs_and_the_ghost_keep_theirs() {
     let mut play = pushed();
     level(&mut play, 0, 1.0);
     go_on(&mut play, [2.0]);
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     assert_eq!(play.time_line().kept(play.basis())[0].name, "Push");
     let kept = play.values().csv();
     level(&mut play, 0, 0.0);
@@ -123,7 +124,7 @@ fn kept_runs_and_the_ghost_keep_theirs() {
     assert_eq!(other.time_line().kept(other.basis()).len(), 1);
     assert_ne!(play.values().csv(), kept);
     // Both kept runs draw the same curve.
-    play.clear_ghost();
+    play.change_run(|line, _| line.clear_ghost());
     let drawn = |mut play: Play| play.plots_to_front().csv(play::PlotId::at(0));
     assert_eq!(drawn(play), drawn(other));
 }
@@ -134,15 +135,15 @@ fn clearing_puts_the_document_s_curve_back_and_can_be_undone() {
     level(&mut play, 1, 1.0);
     let drawn = curve(&play, 1);
     assert!(!drawn.is_default);
-    play.clear_drawing(1);
+    play.change_settings(|settings| settings.clear_drawing(1));
     assert!(curve(&play, 1).is_default);
     assert_eq!(curve(&play, 1).heights[7], 0.25);
-    let number = play.undo_number().unwrap();
+    let number = play.removals().number().unwrap();
     assert!(play.undo(number));
     assert_eq!(curve(&play, 1), drawn);
-    play.restore_defaults();
+    play.change_settings(|settings| settings.restore_defaults());
     assert_eq!(play.share(), "");
-    assert!(play.undo(play.undo_number().unwrap()));
+    assert!(play.undo(play.removals().number().unwrap()));
     assert_eq!(curve(&play, 1), drawn);
 }
 
@@ -151,11 +152,11 @@ fn what_is_drawn_is_bounded() {
     let mut play = pushed();
     let mut heights = vec![7.0; 51];
     heights[0] = -3.0;
-    play.draw(0, &heights).unwrap();
+    play.change_settings(|settings| settings.draw(0, &heights)).unwrap();
     assert_eq!(curve(&play, 0).heights[..2], [0.0, 1.0]);
-    assert!(play.draw(0, &[1.0; 50]).is_err());
-    assert!(play.draw(0, &[f64::NAN; 51]).is_err());
-    assert!(play.draw(2, &[1.0; 51]).is_err());
+    assert!(play.change_settings(|settings| settings.draw(0, &[1.0; 50])).is_err());
+    assert!(play.change_settings(|settings| settings.draw(0, &[f64::NAN; 51])).is_err());
+    assert!(play.change_settings(|settings| settings.draw(2, &[1.0; 51])).is_err());
 }
 
 #[test]

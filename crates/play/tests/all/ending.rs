@@ -19,7 +19,7 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
     assert_eq!(names, ["t", "y", "y'", "T", "h"]);
     go_on(&mut play, [0.5, 0.4, 0.4, 0.4]);
     assert!((play.course().time() - 1.0).abs() < 1e-9, "{}", play.course().time());
-    assert_eq!(play.time_line().status(play.basis()), Status::Ended);
+    assert_eq!(play.time_line().status(), Status::Ended);
     let problem = play.time_line().problem(play.basis()).expect("a reason");
     assert_eq!(problem.code, "ended");
     assert!(problem.message.ends_with("The stone has landed."), "{}", problem.message);
@@ -45,7 +45,7 @@ fn a_run_ends_at_an_event_and_goes_on_when_asked() {
         assert_eq!((other.course().time(), bits(&other)), (play.course().time(), bits(&play)));
     }
     // After scrubbing back before the end, the run ends again.
-    play.scrub(0.5);
+    play.change_run(|line, _| line.scrub(0.5));
     assert!(play.time_line().problem(play.basis()).is_none() && play.time_line().ending(play.basis()).is_none());
     go_on(&mut play, [2.0]);
     assert_eq!(play.time_line().problem(play.basis()).map(|problem| problem.code), Some("ended"));

@@ -14,12 +14,12 @@ fn scrubbing_and_going_on_gives_the_same_bits() {
     let mut scrubbed = utube();
     go_on(&mut scrubbed, [8.0]);
     for moment in [0.0, 3.999, 2.5, 4.0 * 0.05, 0.013] {
-        scrubbed.scrub(moment);
+        scrubbed.change_run(|line, _| line.scrub(moment));
         assert_eq!(scrubbed.course().time(), moment);
         assert_eq!(scrubbed.course().front(), if moment == 0.0 { 8.0 } else { 10.0 });
         go_on(&mut scrubbed, [10.0 - moment]);
         assert!(scrubbed.time_line().has_ghost());
-        scrubbed.scrub(10.0);
+        scrubbed.change_run(|line, _| line.scrub(10.0));
         assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
     }
 }
@@ -29,13 +29,13 @@ fn a_scrub_alone_changes_nothing() {
     let mut play = utube();
     go_on(&mut play, [3.0]);
     let before = bits(&play);
-    play.scrub(1.0);
+    play.change_run(|line, _| line.scrub(1.0));
     assert_eq!(bits(&play), before);
-    play.scrub(f64::NAN);
+    play.change_run(|line, _| line.scrub(f64::NAN));
     assert!(!play.course().is_scrubbed());
-    play.scrub(-5.0);
+    play.change_run(|line, _| line.scrub(-5.0));
     assert_eq!(play.course().time(), 0.0);
-    play.scrub(1e300);
+    play.change_run(|line, _| line.scrub(1e300));
     assert_eq!((play.course().time(), play.course().is_scrubbed()), (3.0, false));
     assert_eq!(bits(&play), before);
 }
@@ -71,7 +71,7 @@ fn parameters_then_in_force_come_back() {
     go_on(&mut play, [1.0]);
     let straight = bits(&play);
     let at = |play: &mut play::Play, time: f64| {
-        play.scrub(time);
+        play.change_run(|line, _| line.scrub(time));
         play.course().parameters()[b]
     };
     assert_eq!(at(&mut play, 0.5), 50.0);
@@ -80,7 +80,7 @@ fn parameters_then_in_force_come_back() {
     assert_eq!(at(&mut play, 3.0), 700.0);
     assert_eq!(bits(&play), straight);
     // Continuing from 1.5 s uses b = 300 kg/s.
-    play.scrub(1.5);
+    play.change_run(|line, _| line.scrub(1.5));
     go_on(&mut play, [1.5]);
     assert_eq!(play.course().parameters()[b], 300.0);
     let mut other = utube();
@@ -115,8 +115,8 @@ fn a_parameter_that_decides_an_initial_value_restarts_the_run() {
     let expected = [Announcement::Restarted(h_l), Announcement::ParameterSet(h_l, 4.0)];
     assert_eq!(told(&mut play), expected);
     // A playing run continues to play after the restart.
-    play.play();
-    play.tick(1.0);
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(1.0));
     set(&mut play, "v_0", 2.0);
     assert!(play.time_line().is_playing() && play.course().time() == 0.0);
     assert_eq!(state(&play), [1.0, 2.0]);
@@ -127,16 +127,16 @@ fn moving_a_slider_leaves_the_ghost_of_the_real_run() {
     let mut play = utube();
     go_on(&mut play, [10.0]);
     let h_l = parameter(&play, "h_l");
-    play.play();
+    play.change_run(|line, _| line.play());
     for position in 3..12 {
-        play.slide(h_l, position);
-        play.tick(0.016);
+        play.change_settings(|settings| settings.slide(h_l, position));
+        play.change_run(|line, _| line.tick(0.016));
     }
     let settings = Default::default();
     let svg = play.plots_to_front().svg(PlotId::at(0), &settings, &play::figure::Palette::LIGHT);
     assert!(play.time_line().has_ghost());
     assert!(svg.contains("10"), "the axis still has room for the ghost's 10 s");
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert!(!play.time_line().has_ghost());
 }
 
@@ -146,21 +146,21 @@ fn back_to_start_keeps_parameters_and_start_and_restoring_defaults_neither() {
     let b = parameter(&play, "b");
     set(&mut play, "b", 0.0);
     go_on(&mut play, [1.0]);
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert_eq!((play.course().time(), state(&play), play.course().parameters()[b]), (0.0, vec![0.5, 0.0], 0.0));
-    play.set_state(0, 0.75).unwrap();
+    play.change_settings(|settings| settings.set_state(0, 0.75)).unwrap();
     go_on(&mut play, [1.0]);
-    play.back_to_start();
-    assert!(play.is_started_by_hand() && !play.time_line().is_playing());
+    play.change_run(|line, basis| line.back_to_start(basis));
+    assert!(play.course().is_started_by_hand() && !play.time_line().is_playing());
     assert_eq!((play.course().time(), state(&play), play.course().parameters()[b]), (0.0, vec![0.75, 0.0], 0.0));
     go_on(&mut play, [1.0]);
-    play.restore_defaults();
-    assert!(!play.is_started_by_hand());
+    play.change_settings(|settings| settings.restore_defaults());
+    assert!(!play.course().is_started_by_hand());
     assert_eq!((play.course().time(), state(&play), play.course().parameters()[b]), (0.0, vec![0.5, 0.0], 50.0));
     // Without a start set by hand, a run in progress continues.
     set(&mut play, "b", 0.0);
     go_on(&mut play, [1.0]);
-    play.restore_defaults();
+    play.change_settings(|settings| settings.restore_defaults());
     assert_eq!((play.course().time(), play.course().parameters()[b]), (1.0, 50.0));
 }
 
@@ -168,16 +168,16 @@ fn back_to_start_keeps_parameters_and_start_and_restoring_defaults_neither() {
 fn runs_are_kept_by_what_differs() {
     let mut play = utube();
     go_on(&mut play, [1.0]);
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     set(&mut play, "b", 200.0);
     go_on(&mut play, [1.0]);
-    play.keep().unwrap();
-    play.back_to_start();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
+    play.change_run(|line, basis| line.back_to_start(basis));
     set(&mut play, "rho", 13534.0);
-    play.set_state(0, 0.3).unwrap();
-    play.set_method("euler").unwrap();
-    play.keep().unwrap();
-    play.keep().unwrap();
+    play.change_settings(|settings| settings.set_state(0, 0.3)).unwrap();
+    play.change_settings(|settings| settings.set_method("euler")).unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     let names =
         |play: &play::Play| play.time_line().kept(play.basis()).into_iter().map(|kept| kept.name).collect::<Vec<_>>();
     assert_eq!(
@@ -204,17 +204,17 @@ fn runs_are_kept_by_what_differs() {
     let patterns: Vec<u8> = play.time_line().kept(play.basis()).iter().map(|kept| kept.pattern).collect();
     assert_eq!(patterns, [0, 1, 2, 3]);
     let second = play.time_line().kept(play.basis())[1].id;
-    play.remove_kept(second);
-    play.show_kept(play.time_line().kept(play.basis())[0].id, false);
+    play.change_run(|line, basis| line.remove_kept(basis, second));
+    play.change_run(|line, basis| line.show_kept(line.kept(basis)[0].id, false));
     assert!(!play.time_line().kept(play.basis())[0].shown);
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     assert_eq!(play.time_line().kept(play.basis()).last().unwrap().pattern, 1, "the free pattern is used again");
     while play.time_line().kept(play.basis()).len() < MOST_KEPT {
-        play.keep().unwrap();
+        play.change_run(|line, basis| line.keep(basis)).unwrap();
     }
-    assert_eq!(play.keep(), Err(Refusal::TooManyRuns { most: MOST_KEPT }));
-    play.remove_kept(999);
-    play.show_kept(999, true);
+    assert_eq!(play.change_run(|line, basis| line.keep(basis)), Err(Refusal::TooManyRuns { most: MOST_KEPT }));
+    play.change_run(|line, basis| line.remove_kept(basis, 999));
+    play.change_run(|line, _| line.show_kept(999, true));
 }
 
 #[test]
@@ -226,9 +226,9 @@ fn events_are_part_of_the_run_and_break_its_line() {
     go_on(&mut scrubbed, [2.0]);
     // Just before the first bounce at sqrt(2/9.81) = 0.45152 s, at it, and just after.
     for moment in [0.44, 0.451, 0.4515236, 0.452, 0.5, 1.2] {
-        scrubbed.scrub(moment);
+        scrubbed.change_run(|line, _| line.scrub(moment));
         go_on(&mut scrubbed, [3.0 - moment]);
-        scrubbed.scrub(3.0);
+        scrubbed.change_run(|line, _| line.scrub(3.0));
         assert_eq!(bits(&scrubbed), bits(&straight), "after going on from {moment}");
     }
 }

@@ -8,7 +8,7 @@ use play::{Play, PlotId};
 fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
     let mut play = utube();
     go_on(&mut play, [1.0]);
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     go_on(&mut play, [1.0]);
     let legend = play.plots().legend(PlotId::at(0));
     let labels: Vec<&str> = legend.iter().map(|entry| entry.label.as_str()).collect();
@@ -27,7 +27,7 @@ fn kept_runs_are_named_in_legend_csv_and_figure_and_left_out_of_pins() {
     );
     let panel = play.layout_plot(PlotId::at(0), &Settings::default()).unwrap().panel;
     let at = Point { x: panel.x + panel.width / 20.0, y: panel.y + panel.height / 2.0 };
-    let hovered = play.hover_plot(PlotId::at(0), at).unwrap();
+    let hovered = play.change_plots(|plots, run| plots.hover(run, PlotId::at(0), at)).unwrap();
     assert_eq!(hovered.samples.len(), 4);
     assert_eq!(play.plots().own_samples(PlotId::at(0), hovered).samples.len(), 2);
 }
@@ -87,5 +87,5 @@ theta'(0) = 0 [rad/s] "Angular velocity"
     let mut play = play::Play::open(document.program);
     // 4 m are 200 units wide.
     assert_eq!(play.grips().length(50.0).as_deref(), Some("1 m"));
-    assert_eq!(play.from_start().grips().scale().map(|(metres, _)| metres), Some(0.02));
+    assert_eq!(play.grips().scale().map(|(metres, _)| metres), Some(0.02));
 }

@@ -72,21 +72,21 @@ fn each_family_and_each_vector_has_one_line() {
 fn a_member_is_chosen_for_all_lines_of_its_family() {
     let mut play = several();
     let before = play.revision();
-    play.choose_member("x'", 0, 3);
+    play.change_values(|values| values.choose_member("x'", 0, 3));
     assert_ne!(play.revision(), before, "the page shows it");
     assert_eq!(shown(&mut play, "x").value, "3.000");
     assert_eq!(shown(&mut play, "x'").value, "0.3000");
     assert_eq!(play.values().state_lines()[0].text, "3.000");
     // The walls are members of the family, too. They have no velocity, so the nearest member is shown there.
-    play.choose_member("x", 0, 0);
+    play.change_values(|values| values.choose_member("x", 0, 0));
     let wall = shown(&mut play, "x");
     assert_eq!((wall.label.as_str(), wall.value.as_str()), ("Wall", "0"));
     assert_eq!(shown(&mut play, "x'").members.unwrap().indices, [Index { value: 1, least: 1, greatest: 4 }]);
-    play.choose_member("x", 0, 99);
+    play.change_values(|values| values.choose_member("x", 0, 99));
     assert_eq!(shown(&mut play, "x").members.unwrap().indices, [Index { value: 5, least: 0, greatest: 5 }]);
     // Two indices: the range of the second depends on the first.
-    play.choose_member("u", 1, 3);
-    play.choose_member("u", 0, 3);
+    play.change_values(|values| values.choose_member("u", 1, 3));
+    play.change_values(|values| values.choose_member("u", 0, 3));
     let heat = shown(&mut play, "u");
     assert_eq!(heat.value, "33.00");
     let index = |value, least, greatest| Index { value, least, greatest };
@@ -94,7 +94,7 @@ fn a_member_is_chosen_for_all_lines_of_its_family() {
     // A name that is not a family changes nothing.
     let before = play.revision();
     for (name, place) in [("c", 0), ("nothing", 0), ("x", 7), ("", 0)] {
-        play.choose_member(name, place, 2);
+        play.change_values(|values| values.choose_member(name, place, 2));
     }
     assert_eq!(play.revision(), before);
 }
@@ -102,10 +102,10 @@ fn a_member_is_chosen_for_all_lines_of_its_family() {
 #[test]
 fn the_member_shown_can_be_set_and_the_choice_is_no_part_of_a_link() {
     let mut play = several();
-    play.choose_member("x", 0, 2);
+    play.change_values(|values| values.choose_member("x", 0, 2));
     assert_eq!(play.share(), "");
     let line = play.values().state_lines().remove(0);
-    play.set_state_text(line.index, "7.5").unwrap();
+    play.change_settings(|settings| settings.set_state_text(line.index, "7.5")).unwrap();
     assert_eq!(shown(&mut play, "x").value, "7.500");
     let second = play.values().states().into_iter().find(|state| state.name == "x[2]").unwrap();
     assert_eq!(second.value, 7.5);

@@ -44,7 +44,9 @@ fn equal_axes_keep_a_circle_round_and_readings_name_the_abscissa() {
     assert!(((right.x - centre.x) - (centre.y - above.y)).abs() < 0.5, "{centre:?} {right:?} {above:?}");
     let headings: Vec<String> = [at(1.0, 0.0), at(-2.0, 0.0)]
         .into_iter()
-        .map(|at| play.hover_plot(PlotId::at(0), Point { x: at.x, y: at.y }).unwrap().heading)
+        .map(|at| {
+            play.change_plots(|plots, run| plots.hover(run, PlotId::at(0), Point { x: at.x, y: at.y })).unwrap().heading
+        })
         .collect();
     assert!(headings[0].starts_with("x₁ = ") && headings[1].starts_with("x₂ = "), "{headings:?}");
     let svg = play.plots_to_front().svg(PlotId::at(0), &SETTINGS, &figure::Palette::LIGHT);
@@ -66,7 +68,7 @@ fn resonance() -> Play {
         &[],
     );
     // The second plot is folded at first.
-    play.change_plots(|plots| plots.show(PlotId::at(1), true));
+    play.change_plots(|plots, _| plots.show(PlotId::at(1), true));
     play
 }
 
@@ -102,7 +104,7 @@ fn a_definition_is_drawn_over_the_values_of_a_parameter_and_follows_the_others()
     assert_eq!(cells(&mut play, 0), before);
     let readout = {
         play.layout_plot(PlotId::at(0), &SETTINGS);
-        play.move_cursor(PlotId::at(0), 0).unwrap()
+        play.change_plots(|plots, run| plots.move_cursor(run, PlotId::at(0), 0)).unwrap()
     };
     assert!(readout.heading.starts_with("ω = 7"), "{readout:?}");
 }
@@ -112,7 +114,7 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
     let mut play = resonance();
     assert!(cells(&mut play, 1).iter().all(|row| row[1].is_nan() && (row[3] - amplitude(row[2], 0.5)).abs() < 1e-14));
     let mut slices = 0;
-    while play.work_on_plots() {
+    while play.change_plots(|plots, run| plots.work(run)) {
         slices += 1;
         assert!(slices < 1000);
     }
@@ -127,25 +129,25 @@ fn runs_over_the_values_of_a_parameter_are_made_by_and_by() {
     }
     // The result is bit-identical however the work is divided.
     let mut other = resonance();
-    other.play();
+    other.change_run(|line, _| line.play());
     for _ in 0..slices + 50 {
-        other.tick(0.001);
-        other.work_on_plots();
+        other.change_run(|line, _| line.tick(0.001));
+        other.change_plots(|plots, run| plots.work(run));
     }
     assert_eq!(cells(&mut other, 1), rows);
     // Another parameter restarts the runs, the swept one does not.
     set(&mut play, "omega", 7.0);
-    assert!(!play.work_on_plots());
+    assert!(!play.change_plots(|plots, run| plots.work(run)));
     set(&mut play, "gamma", 2.0);
-    assert!(play.work_on_plots());
+    assert!(play.change_plots(|plots, run| plots.work(run)));
     let (done, all) = play.plots().progress(PlotId::at(1)).unwrap();
     assert!(done < 61 && all == 61);
-    while play.work_on_plots() {}
+    while play.change_plots(|plots, run| plots.work(run)) {}
     assert!(cells(&mut play, 1).iter().all(|row| (row[1] / amplitude(row[0], 2.0) - 1.0).abs() < 3e-3));
     // Hidden plots are not computed.
-    play.change_plots(|plots| plots.show(PlotId::at(1), false));
+    play.change_plots(|plots, _| plots.show(PlotId::at(1), false));
     set(&mut play, "gamma", 1.0);
-    assert!(!play.work_on_plots());
+    assert!(!play.change_plots(|plots, run| plots.work(run)));
 }
 
 /// The logistic map: one value up to r = 3, then two, (r + 1 +- sqrt((r - 3)(r + 1)))/(2 r), then four.
@@ -156,7 +158,7 @@ fn points_of_a_map_over_the_values_of_a_parameter() {
          ```plots\n\"Bifurcations\": points x from 381 against r in 2.5..3.5 step 0.1\n```\n",
         &[],
     );
-    while play.work_on_plots() {}
+    while play.change_plots(|plots, run| plots.work(run)) {}
     assert_eq!(play.plots().progress(PlotId::at(0)), None);
     let rows = cells(&mut play, 0);
     assert_eq!(rows.len(), 11 * 20, "20 points of each run");
@@ -191,7 +193,7 @@ fn points_at_an_event_over_the_values_of_a_parameter() {
          ```plots\n\"Sections\": points x from 30 [s], x' from 35 [s] against omega in 3..6 step 0.5 at drive\n```\n",
         &[],
     );
-    while play.work_on_plots() {}
+    while play.change_plots(|plots, run| plots.work(run)) {}
     let rows = cells(&mut play, 0);
     for omega in (0..7).map(|number| 3.0 + 0.5 * f64::from(number)) {
         let own: Vec<&Vec<f64>> = rows.iter().filter(|row| (row[0] - omega).abs() < 1e-12).collect();
@@ -226,14 +228,16 @@ fn a_section_has_a_point_at_each_multiple_of_the_period() {
     }
     assert_eq!(quarters.len(), 18);
     // Discarded rows take their points with them. Recomputed rows have the same points.
-    play.scrub(5.0);
-    play.play();
+    play.change_run(|line, _| line.scrub(5.0));
+    play.change_run(|line, _| line.play());
     assert_eq!(cells(&mut play, 0).len(), 2);
     go_on(&mut play, [5.0]);
     assert_eq!(cells(&mut play, 0), rows);
     play.layout_plot(PlotId::at(0), &SETTINGS);
-    assert!(play.move_cursor(PlotId::at(0), 1).unwrap().heading.starts_with("x = "));
-    play.back_to_start();
+    assert!(
+        play.change_plots(|plots, run| plots.move_cursor(run, PlotId::at(0), 1)).unwrap().heading.starts_with("x = ")
+    );
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert!(cells(&mut play, 0).is_empty());
 }
 
@@ -245,7 +249,7 @@ fn a_run_that_an_event_ends_has_a_value_there() {
         when y < 0 [m] { stop }\n```\n\
         ```plots\n\"Range\": x at end against alpha in 10..80 [deg] step 10\n```\n";
     let mut play = open(source, &[]);
-    while play.work_on_plots() {}
+    while play.change_plots(|plots, run| plots.work(run)) {}
     let rows = cells(&mut play, 0);
     assert_eq!(rows.len(), 8);
     for row in rows {
@@ -273,7 +277,7 @@ fn axes_have_the_range_of_the_first_part_from_the_beginning() {
         assert_eq!(limits(&mut play), at_rest);
     }
     // Other parameters, another start, another first part.
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     set(&mut play, "g", 1.62);
     let on_the_moon = limits(&mut play);
     assert_ne!(on_the_moon, at_rest, "energies differ");

@@ -39,7 +39,7 @@ fn a_profile_shows_all_members_at_the_moment() {
     // The mode n oscillates with 2 sqrt(k) sin(n pi/(2 (N + 1))).
     let omega = 4.0 * libm::sin(PI / 12.0);
     for time in [1.5, 0.4] {
-        play.scrub(time);
+        play.change_run(|line, _| line.scrub(time));
         let (head, rows) = table(&mut play, 0);
         let shown = format!("{time:.2}");
         assert_eq!(head, format!("i·a (t = {shown} s) [m],x_i (t = {shown} s) [cm]"));
@@ -70,15 +70,15 @@ fn the_axes_of_a_profile_grow_with_the_run_and_stay_while_it_is_scrubbed() {
     go_on(&mut play, [0.1; 30]);
     let all = top(&mut play);
     for time in [0.0, 0.7, 1.5, 2.9] {
-        play.scrub(time);
+        play.change_run(|line, _| line.scrub(time));
         assert_eq!(top(&mut play), all, "{time} s");
     }
     // A run with a longer chain has its own axes.
     set(&mut play, "a", 2.0);
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert_ne!(top(&mut play), all);
     set(&mut play, "a", 1.0);
-    play.back_to_start();
+    play.change_run(|line, basis| line.back_to_start(basis));
     assert_eq!(top(&mut play), start);
 }
 
@@ -91,13 +91,13 @@ fn two_curves_and_points_stand_in_profiles_and_are_read() {
     let legend = play.plots().legend(PlotId::at(1));
     assert_eq!(legend.len(), 2);
     play.layout_plot(PlotId::at(1), &SETTINGS);
-    let readout = play.move_cursor(PlotId::at(1), 2).unwrap();
+    let readout = play.change_plots(|plots, run| plots.move_cursor(run, PlotId::at(1), 2)).unwrap();
     assert!(readout.heading.starts_with("i = 3") && readout.samples.len() == 2, "{readout:?}");
     let figure = play.layout_plot(PlotId::at(2), &SETTINGS).unwrap();
     let dots = figure.items().any(|item| matches!(item, Item::Dots { centres, .. } if centres.len() >= 10));
     assert!(dots, "each mass is a point of the phase plane");
     let at = figure.place(0, 50.0, 0.0).unwrap();
-    let readout = play.hover_plot(PlotId::at(2), Point { x: at.x, y: at.y }).unwrap();
+    let readout = play.change_plots(|plots, run| plots.hover(run, PlotId::at(2), Point { x: at.x, y: at.y })).unwrap();
     assert!(readout.heading.starts_with("x_i = 50") && readout.samples[0].text.starts_with("x_i′ = 0"), "{readout:?}");
 }
 
@@ -115,11 +115,11 @@ fn histograms_count_every_member_and_every_row() {
     assert!(svg.contains("Histogram of Displacement (x_i) at the moment shown.") && svg.contains("Count"), "{svg}");
     let (_, rows) = table(&mut play, 4);
     assert_eq!(rows.iter().map(|row| row[1]).sum::<f64>(), 51.0, "0.5 s in steps of 0.01 s, with both ends");
-    play.scrub(0.2);
+    play.change_run(|line, _| line.scrub(0.2));
     let (_, rows) = table(&mut play, 4);
     assert_eq!(rows.iter().map(|row| row[1]).sum::<f64>(), 21.0);
     play.layout_plot(PlotId::at(3), &SETTINGS);
-    let readout = play.move_cursor(PlotId::at(3), 1).unwrap();
+    let readout = play.change_plots(|plots, run| plots.move_cursor(run, PlotId::at(3), 1)).unwrap();
     let count = readout.samples[0].text.strip_prefix("Count = ").and_then(|count| count.parse::<u32>().ok());
     assert!(count.is_some_and(|count| count <= 150), "{readout:?}");
 }
@@ -145,8 +145,8 @@ fn points_are_drawn_at_the_firings_of_an_event() {
     }
     assert_eq!(rows.len(), 11, "the first landing after 0.45 s, then one each 0.90 s");
     let all = rows;
-    play.scrub(1.0);
-    play.play();
+    play.change_run(|line, _| line.scrub(1.0));
+    play.change_run(|line, _| line.play());
     assert_eq!(table(&mut play, 1).1.len(), all.iter().filter(|row| row[0] <= 1.0).count());
     go_on(&mut play, [9.0]);
     assert_eq!(table(&mut play, 1).1, all);

@@ -11,16 +11,16 @@ fn the_score_counts_what_was_found_before_it_was_shown() {
     let mut play = crate::support::open(TWO, &[]);
     let state = |play: &Play| (play.answers().score(), play.answers().are_complete());
     assert_eq!(state(&play), (Some(0.0), false));
-    play.check_answer(0, "2 m");
+    play.change_answers(|answers, run| answers.check(run, 0, "2 m"));
     assert_eq!(state(&play), (Some(0.5), false));
     // Neither a look at the answer that was found nor another attempt takes the point away.
-    play.reveal_answer(0);
-    play.check_answer(0, "5 m");
+    play.change_answers(|answers, run| answers.reveal(run, 0));
+    play.change_answers(|answers, run| answers.check(run, 0, "5 m"));
     assert_eq!(state(&play), (Some(0.5), false));
-    play.check_answer(1, "4");
+    play.change_answers(|answers, run| answers.check(run, 1, "4"));
     assert_eq!(state(&play), (Some(0.5), true));
-    play.reveal_answer(1);
-    play.check_answer(1, "3");
+    play.change_answers(|answers, run| answers.reveal(run, 1));
+    play.change_answers(|answers, run| answers.check(run, 1, "3"));
     assert_eq!(state(&play), (Some(0.5), true));
     assert_eq!(crate::support::open("```model\ny' = 1 [1/s]\ny(0) = 0\n```\n", &[]).answers().score(), None);
 }
@@ -37,7 +37,7 @@ fn an_answer_is_a_number_in_the_unit_that_is_asked_for() {
 fn texts_of_attempts_can_be_left_out() {
     let mut play = crate::support::open(TWO, &[]);
     for text in ["1", "2", "200"] {
-        play.check_answer(0, text);
+        play.change_answers(|answers, run| answers.check(run, 0, text));
     }
     let answer = play.answers().saved(play.basis()).remove(0).1;
     let texts = |all| {

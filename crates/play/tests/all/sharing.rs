@@ -29,8 +29,8 @@ fn a_link_is_short_and_says_what_differs() {
     let mut play = utube();
     set(&mut play, "b", 200.0);
     set(&mut play, "h_l", 3.5);
-    play.set_speed(2.0);
-    play.change_plots(|plots| plots.show(PlotId::at(2), true));
+    play.change_run(|line, _| line.set_speed(2.0));
+    play.change_plots(|plots, _| plots.show(PlotId::at(2), true));
     go_on(&mut play, [5.0]);
     assert_eq!(play.share(), "1&p=b:200,h_l:3.5&t=10&x=2&v=1");
     let other = reopened(&play);
@@ -49,9 +49,9 @@ fn what_plots_are_zoomed_to_comes_back() {
     }
     let drawn = |play: &mut Play, plot| play.plots_to_front().svg(PlotId::at(plot), &settings, &Palette::LIGHT);
     let everything = drawn(&mut play, 1);
-    play.change_plots(|plots| plots.zoom(PlotId::at(0), None, 2.0, Direction::Horizontal));
-    play.change_plots(|plots| plots.zoom(PlotId::at(1), Some(Point { x: 200.0, y: 90.0 }), 3.0, Direction::Both));
-    play.change_plots(|plots| plots.pan(PlotId::at(2), 0.0, 17.0));
+    play.change_plots(|plots, _| plots.zoom(PlotId::at(0), None, 2.0, Direction::Horizontal));
+    play.change_plots(|plots, _| plots.zoom(PlotId::at(1), Some(Point { x: 200.0, y: 90.0 }), 3.0, Direction::Both));
+    play.change_plots(|plots, _| plots.pan(PlotId::at(2), 0.0, 17.0));
     let mut other = reopened(&play);
     for plot in 0..3 {
         assert!(!other.plots().list()[plot].automatic);
@@ -66,21 +66,21 @@ fn what_plots_are_zoomed_to_comes_back() {
 #[test]
 fn everything_comes_back_with_the_same_bits() {
     let mut play = utube();
-    play.set_state(0, 0.123_456_789).unwrap();
-    play.set_method("dormand-prince").unwrap();
-    play.set_step(0.03).unwrap();
+    play.change_settings(|settings| settings.set_state(0, 0.123_456_789)).unwrap();
+    play.change_settings(|settings| settings.set_method("dormand-prince")).unwrap();
+    play.change_settings(|settings| settings.set_step(0.03)).unwrap();
     go_on(&mut play, [1.0 / 3.0]);
     set(&mut play, "b", 1e-7);
     go_on(&mut play, [1.0]);
     set(&mut play, "rho", 2000.0);
     set(&mut play, "g", 1.62);
     go_on(&mut play, [1.0]);
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     set(&mut play, "h_l", 5.0);
     go_on(&mut play, [2.0]);
     set(&mut play, "b", 0.0);
     go_on(&mut play, [2.0]);
-    play.scrub(1.0 / 7.0);
+    play.change_run(|line, _| line.scrub(1.0 / 7.0));
     let other = reopened(&play);
     assert_eq!(bits(&other), bits(&play));
     assert_eq!((other.course().time(), other.course().front()), (play.course().time(), play.course().front()));
@@ -95,14 +95,14 @@ fn a_run_that_goes_on_from_an_earlier_moment_comes_back_with_the_same_bits() {
     for method in ["rk4", "dormand-prince", "rosenbrock"] {
         for back in [0.0, 0.32, 0.5] {
             let mut play = utube();
-            play.set_method(method).unwrap();
+            play.change_settings(|settings| settings.set_method(method)).unwrap();
             go_on(&mut play, [0.7]);
-            play.scrub(back);
-            play.step_forward();
+            play.change_run(|line, _| line.scrub(back));
+            play.change_run(|line, _| line.step_forward());
             set(&mut play, "b", 80.0);
-            play.step_forward();
-            play.step_forward();
-            play.scrub(back);
+            play.change_run(|line, _| line.step_forward());
+            play.change_run(|line, _| line.step_forward());
+            play.change_run(|line, _| line.scrub(back));
             go_on(&mut play, [0.4]);
             assert_eq!(bits(&reopened(&play)), bits(&play), "{method} from {back}");
         }
@@ -126,7 +126,7 @@ fn a_change_that_is_taken_back_before_it_acts_is_none() {
     for method in ["rk4", "dormand-prince", "rosenbrock"] {
         let (mut play, mut straight) = (utube(), utube());
         for play in [&mut play, &mut straight] {
-            play.set_method(method).unwrap();
+            play.change_settings(|settings| settings.set_method(method)).unwrap();
             go_on(play, [1.02]);
         }
         let link = play.share();
@@ -146,12 +146,12 @@ fn a_change_that_is_taken_back_before_it_acts_is_none() {
 #[test]
 fn more_changes_than_a_link_holds_leave_the_state() {
     let mut play = utube();
-    play.play();
+    play.change_run(|line, _| line.play());
     for change in 0..1000 {
         set(&mut play, "b", f64::from(change));
-        play.tick(0.05);
+        play.change_run(|line, _| line.tick(0.05));
     }
-    play.pause();
+    play.change_run(|line, _| line.pause());
     let fragment = play.share();
     assert!(fragment.len() < 200, "{fragment}");
     let mut other = utube();
@@ -192,8 +192,8 @@ fn what_does_not_fit_is_left_out_and_named() {
         let refusal = play.restore(fragment).expect_err(fragment);
         let Refusal::PartlyRestored { left_out: parts } = &refusal else { panic!("{fragment}: {refusal:?}") };
         assert!(parts.iter().any(|part| part.starts_with(left_out)), "{fragment}: {parts:?}");
-        play.play();
-        play.tick(0.1);
+        play.change_run(|line, _| line.play());
+        play.change_run(|line, _| line.tick(0.1));
     }
     for fragment in ["2&p=b:1", "hello", "%31", "p=b:200", "1;p=b:200", "é"] {
         let mut play = utube();
@@ -206,9 +206,9 @@ fn what_does_not_fit_is_left_out_and_named() {
 fn restoring_replaces_what_was_there() {
     let mut play = utube();
     go_on(&mut play, [3.0]);
-    play.keep().unwrap();
-    play.change_plots(|plots| plots.show(PlotId::at(0), false));
-    play.play();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
+    play.change_plots(|plots, _| plots.show(PlotId::at(0), false));
+    play.change_run(|line, _| line.play());
     play.restore("1&p=b:7&t=2").unwrap();
     assert!(
         !play.time_line().is_playing()
@@ -228,7 +228,7 @@ fn the_first_plot_is_shown_at_first() {
     let mut play = open();
     assert_eq!((shown(&play), play.share().as_str()), (vec![true, false, false, false, false], ""));
     for (changed, link) in [(4, "1&v=1,2,3"), (3, "1&v=1,2"), (0, "1&v=0,1,2")] {
-        play.change_plots(|plots| plots.show(PlotId::at(changed), changed > 0));
+        play.change_plots(|plots, _| plots.show(PlotId::at(changed), changed > 0));
         assert_eq!(play.share(), link);
         let mut other = open();
         other.restore(link).unwrap();
@@ -242,7 +242,7 @@ fn the_first_plot_is_shown_at_first() {
 fn parts_of_the_state_can_be_left_out() {
     let mut play = utube();
     go_on(&mut play, [2.0]);
-    play.keep().expect("room for a run");
+    play.change_run(|line, basis| line.keep(basis)).expect("room for a run");
     set(&mut play, "b", 200.0);
     go_on(&mut play, [1.0]);
     let [whole, unkept, moment] =
@@ -255,20 +255,22 @@ fn parts_of_the_state_can_be_left_out() {
     other.restore(&moment).expect("a state");
     let state = |play: &Play| -> Vec<u64> { play.values().states().iter().map(|own| own.value.to_bits()).collect() };
     assert_eq!(state(&other), state(&play));
+    play.change_run(|line, _| line.set_speed(2.0));
+    assert_eq!(play.share_within(Extent::Start), "1&p=b:200", "neither the way there nor the view");
 }
 
 #[test]
 fn facts_follow_from_the_state() {
     let mut play = utube();
     go_on(&mut play, [2.0]);
-    play.keep().expect("room for a run");
+    play.change_run(|line, basis| line.keep(basis)).expect("room for a run");
     set(&mut play, "b", 200.0);
     go_on(&mut play, [1.0]);
-    play.check_answer(0, "17");
-    let facts = |play: &Play| (play.facts_of_run("text".to_owned()), play.facts_of_answers());
+    play.change_answers(|answers, run| answers.check(run, 0, "17"));
+    let facts = |play: &Play| (play::facts_of_run(play, "text".to_owned()), play::facts_of_answers(play));
     let mut other = reopened(&play);
     for (name, answer) in play.answers().saved(play.basis()) {
-        assert!(other.restore_answer(&name, &answer));
+        assert!(other.change_answers(|answers, run| answers.restore(run, &name, &answer)));
     }
     assert_eq!(facts(&other), facts(&play));
     let (run, answers) = facts(&play);

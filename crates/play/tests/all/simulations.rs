@@ -45,7 +45,7 @@ fn every_document_runs_and_is_drawn() {
             "{name}: {:?}",
             play.time_line().problem(play.basis())
         );
-        assert!(play.scene_values().iter().all(|value| value.is_finite()), "{name}");
+        assert!(play.scene().values().iter().all(|value| value.is_finite()), "{name}");
         for plot in 0..play.plots().list().len() {
             let figure = play.layout_plot(PlotId::at(plot), &Settings::default()).unwrap();
             assert!(figure.items().count() > 10, "{name}");
@@ -74,8 +74,9 @@ fn every_preset_can_be_chosen_and_shows_itself_as_chosen() {
         play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets).collect();
     assert!(presets.len() > 10);
     for preset in presets {
-        play.restore_defaults();
-        play.apply_preset(preset.index).unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
+        play.change_settings(|settings| settings.restore_defaults());
+        play.change_settings(|settings| settings.apply_preset(preset.index))
+            .unwrap_or_else(|refusal| panic!("{}: {refusal:?}", preset.name));
         let selected = play.controls().presets(play.basis(), play.course()).into_iter().flat_map(|group| group.presets);
         let selected: Vec<_> = selected.filter(|preset| preset.selected).map(|preset| preset.index).collect();
         assert!(selected.contains(&preset.index), "{}", preset.name);
@@ -90,13 +91,21 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
         let questions = play.program().questions.len();
         assert!(questions >= 7);
         for question in 0..questions {
-            let before = play.reveal_answer(question);
+            let before = play.change_answers(|answers, run| answers.reveal(run, question));
             if play.answers().setup(play.basis(), play.course(), question).is_some() {
                 play.apply_question_setup(question).unwrap();
             }
-            assert_eq!(play.reveal_answer(question), before, "the answer supposes what the question sets");
-            assert_eq!(play.check_answer(question, &before).grade, Grade::Correct, "{question}: {before}");
-            play.restore_defaults();
+            assert_eq!(
+                play.change_answers(|answers, run| answers.reveal(run, question)),
+                before,
+                "the answer supposes what the question sets"
+            );
+            assert_eq!(
+                play.change_answers(|answers, run| answers.check(run, question, &before)).grade,
+                Grade::Correct,
+                "{question}: {before}"
+            );
+            play.change_settings(|settings| settings.restore_defaults());
         }
     }
 }
@@ -105,15 +114,15 @@ fn every_question_has_an_answer_that_is_taken_in_both_languages() {
 fn the_liquid_is_dragged_as_far_as_there_is_liquid() {
     let mut play = utube();
     let drag = handle(&play.program().scene("en").unwrap().root).unwrap().clone();
-    play.drag_begin(&drag);
-    play.drag_move(0.0, 53.0);
+    play.change_settings(|settings| settings.drag_begin(&drag));
+    play.change_settings(|settings| settings.drag_move(0.0, 53.0));
     assert!((state(&play)[0] - 1.5).abs() < 1e-9, "a metre is 53 units: {:?}", state(&play));
-    play.drag_move(0.0, 500.0);
+    play.change_settings(|settings| settings.drag_move(0.0, 500.0));
     // The columns are 3 m and 2 m high: at 2.5 m the right one is empty.
     assert!((state(&play)[0] - 2.5).abs() < 1e-6, "{:?}", state(&play));
-    play.drag_move(0.0, -500.0);
+    play.change_settings(|settings| settings.drag_move(0.0, -500.0));
     assert!((state(&play)[0] + 2.5).abs() < 1e-6, "{:?}", state(&play));
-    play.drag_end();
+    play.change_settings(|settings| settings.drag_end());
     go_on(&mut play, [1.0]);
     assert!(state(&play)[0] > -2.5);
 }

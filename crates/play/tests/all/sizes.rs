@@ -26,14 +26,14 @@ fn another_size_runs_as_the_document_that_states_it() {
     let mut play = Play::open(document.program.clone());
     set(&mut play, "k", 9.0);
     go_on(&mut play, [0.5]);
-    play.change_plots(|plots| plots.show(PlotId::at(1), false));
-    play.choose_member("x", 0, 4);
-    play.play();
+    play.change_plots(|plots, _| plots.show(PlotId::at(1), false));
+    play.change_values(|values| values.choose_member("x", 0, 4));
+    play.change_run(|line, _| line.play());
     while play.take_announcement().is_some() {}
     play.resize(resized(&document, &[("N", "12")]).unwrap().program);
     assert_eq!(play.take_announcement(), Some(Announcement::Resized(Vec::new())));
     assert!(play.time_line().is_playing());
-    play.pause();
+    play.change_run(|line, _| line.pause());
     // Bit-identical to the text with this size.
     let mut stated = open(&CHAIN.replace("size N = 5", "size N = 12"), &[SPANISH]);
     set(&mut stated, "k", 9.0);

@@ -19,21 +19,21 @@ fn answers_are_chosen_changed_and_removed() {
     let mut play = open(DOCUMENT, &[]);
     assert!(play.survey().is_empty());
     let before = play.revision();
-    play.choose_in_survey(1, Some(4));
+    play.change_survey(|survey, basis| survey.choose(basis, 1, Some(4)));
     assert_eq!(play.revision().survey, before.survey + 1);
-    play.choose_in_survey(1, Some(4));
+    play.change_survey(|survey, basis| survey.choose(basis, 1, Some(4)));
     assert_eq!(play.revision().survey, before.survey + 1, "nothing has changed");
     // Items and answers that do not exist change nothing.
     for (item, answer) in [(1, 5), (0, 2), (3, 0), (4, 0)] {
-        play.choose_in_survey(item, Some(answer));
+        play.change_survey(|survey, basis| survey.choose(basis, item, Some(answer)));
     }
-    play.type_in_survey(0, "x");
-    play.type_in_survey(9, "x");
+    play.change_survey(|survey, basis| survey.type_text(basis, 0, "x"));
+    play.change_survey(|survey, basis| survey.type_text(basis, 9, "x"));
     assert_eq!(given(&play).iter().filter(|one| **one != (None, String::new())).count(), 1);
-    play.type_in_survey(3, &" é".repeat(3000));
+    play.change_survey(|survey, basis| survey.type_text(basis, 3, &" é".repeat(3000)));
     assert_eq!(given(&play)[3].1.chars().count(), 2000);
-    play.type_in_survey(3, "  \n ");
-    play.choose_in_survey(1, None);
+    play.change_survey(|survey, basis| survey.type_text(basis, 3, "  \n "));
+    play.change_survey(|survey, basis| survey.choose(basis, 1, None));
     assert!(play.survey().is_empty());
 }
 
@@ -41,9 +41,9 @@ fn answers_are_chosen_changed_and_removed() {
 fn the_file_is_the_same_in_every_language_and_has_nothing_else() {
     let mut play = open(DOCUMENT, &[SPANISH]);
     let answer = |play: &mut Play| {
-        play.choose_in_survey(0, Some(1));
-        play.choose_in_survey(1, Some(3));
-        play.type_in_survey(3, "a \"b\"\n\\ñ\u{1}");
+        play.change_survey(|survey, basis| survey.choose(basis, 0, Some(1)));
+        play.change_survey(|survey, basis| survey.choose(basis, 1, Some(3)));
+        play.change_survey(|survey, basis| survey.type_text(basis, 3, "a \"b\"\n\\ñ\u{1}"));
     };
     answer(&mut play);
     let english = file(&play);
@@ -71,8 +71,8 @@ fn the_file_is_the_same_in_every_language_and_has_nothing_else() {
 fn a_link_has_no_answers() {
     let mut play = open(DOCUMENT, &[]);
     let link = play.share();
-    play.choose_in_survey(1, Some(3));
-    play.type_in_survey(3, "secret");
+    play.change_survey(|survey, basis| survey.choose(basis, 1, Some(3)));
+    play.change_survey(|survey, basis| survey.type_text(basis, 3, "secret"));
     assert_eq!(play.share(), link);
     assert!(play.answers().saved(play.basis()).is_empty());
 }
@@ -80,9 +80,9 @@ fn a_link_has_no_answers() {
 #[test]
 fn answers_stay_with_equal_items_while_the_document_is_written() {
     let mut play = open(DOCUMENT, &[]);
-    play.choose_in_survey(0, Some(1));
-    play.choose_in_survey(1, Some(3));
-    play.type_in_survey(3, "x");
+    play.change_survey(|survey, basis| survey.choose(basis, 0, Some(1)));
+    play.change_survey(|survey, basis| survey.choose(basis, 1, Some(3)));
+    play.change_survey(|survey, basis| survey.type_text(basis, 3, "x"));
     let changed =
         DOCUMENT.replace("role \"You are a\"", "text \"First\"\nrole \"You are a\"").replace("5 steps", "7 steps");
     let changed = changed.replace("text \"First\"", "scale \"First\": 3 steps from \"a\" to \"b\"");

@@ -35,7 +35,7 @@ fn truth(k: f64, from: f64) -> Truth {
 
 /// The rows of the plot's CSV.
 fn rows(play: &mut Play) -> (String, Vec<Vec<f64>>) {
-    while play.work_on_plots() {}
+    while play.change_plots(|plots, run| plots.work(run)) {}
     let csv = play.plots_to_front().csv(PlotId::at(0));
     let (head, rest) = csv.split_once('\n').unwrap();
     let rows = rest.lines().map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect());
@@ -162,7 +162,7 @@ fn a_bundle_keeps_expressions_of_runs() {
         damaged[place] ^= 0x05;
         if let Ok(program) = program::bundle::read(&damaged) {
             let mut play = Play::open(program);
-            play.work_on_plots();
+            play.change_plots(|plots, run| plots.work(run));
             play.plots_to_front().csv(PlotId::at(0));
         }
     }

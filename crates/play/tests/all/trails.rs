@@ -20,7 +20,7 @@ fn circle(step: &str) -> Play {
 /// The points of a trail, and how many lines it consists of.
 fn points(play: &mut Play, trail: usize) -> (Vec<(f64, f64)>, usize) {
     let mut path = String::new();
-    play.scene_trail(trail, &mut path);
+    play.scene().write_trail(trail, &mut path);
     let numbers = path.split(['M', 'L']).filter(|part| !part.is_empty()).map(|part| {
         let (x, y) = part.trim_end_matches("h0").split_once(' ').unwrap();
         (x.parse().unwrap(), y.parse().unwrap())
@@ -41,7 +41,7 @@ fn a_trail_is_the_way_of_the_last_seconds_at_every_moment() {
     let mut play = circle("0.05 [s]");
     go_on(&mut play, [0.52; 6]);
     for (time, first) in [(3.12, 2.15), (0.5, 0.0), (2.0, 1.0), (3.12, 2.15), (0.0, 0.0)] {
-        play.scrub(time);
+        play.change_run(|line, _| line.scrub(time));
         let (line, lines) = points(&mut play, 0);
         assert_eq!(lines, 1);
         assert!(near(line[0], first) && near(*line.last().unwrap(), time), "{time} s: {line:?}");
@@ -60,7 +60,7 @@ fn a_stroboscope_has_a_dot_at_each_multiple() {
     let mut play = circle("0.06 [s]");
     go_on(&mut play, [0.5; 5]);
     for (time, dots) in [(2.5, 11), (0.3, 2), (1.0, 5)] {
-        play.scrub(time);
+        play.change_run(|line, _| line.scrub(time));
         let (found, single) = points(&mut play, 1);
         assert_eq!((found.len(), single), (dots, dots), "{time} s");
         for (number, found) in found.into_iter().enumerate() {

@@ -22,7 +22,9 @@ pub fn view(app: App) -> View {
             .class("action")
             .id(format!("button-{index}"))
             .attr("aria-disabled", move || (!usable.get()).then_some("true"))
-            .when(events::click, move |_| refusal.set(app.attempt(|play| play.press(index))))
+            .when(events::click, move |_| {
+                refusal.set(app.attempt(|play| play.change_settings(|settings| settings.press(index))))
+            })
             .child(view.title)
     };
     div()

@@ -14,7 +14,9 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
     });
     let value = move || now.with(|view| view.as_ref().map_or(0.0, |view| view.value));
     let error = create_signal(None::<String>);
-    let set = move |value: f64| error.set(app.attempt(|play| play.set_parameter(index, value)));
+    let set = move |value: f64| {
+        error.set(app.attempt(|play| play.change_settings(|settings| settings.set_parameter(index, value))))
+    };
     let id = format!("parameter-{index}");
     let title = if first.restarts { app.words().restarts } else { "" };
     let changed = move || now.with(|view| view.as_ref().is_some_and(|view| !view.is_default));

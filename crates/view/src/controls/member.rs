@@ -21,7 +21,8 @@ pub fn pickers(
         let part = move |part: fn(&Index) -> i64| get().map_or_else(String::new, |index| part(&index).to_string());
         let mut input = input();
         let node: HtmlInputElement = input.node();
-        let choose = move |value: i64| app.act(|play| play.choose_member(&name, place, value));
+        let choose =
+            move |value: i64| app.act(|play| play.change_values(|values| values.choose_member(&name, place, value)));
         let typed = {
             let (node, choose) = (node.clone(), choose.clone());
             move |_| {

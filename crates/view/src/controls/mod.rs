@@ -76,7 +76,7 @@ fn restore_button(app: App) -> HtmlButton {
     let words = app.words();
     let is_as_written = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.is_as_written())
+        app.read(|play| play.time_line().is_as_written(play.basis()))
     });
     button()
         .class("quiet")
@@ -115,7 +115,7 @@ pub fn lockable(app: App, controls: View) -> View {
 /// the sizes determine.
 fn restore_all(app: App) {
     let resized = sizes::restore(app);
-    app.act(Play::restore_defaults);
+    app.act(|play| play.change_settings(|settings| settings.restore_defaults()));
     if resized {
         app.rebuild();
     }
@@ -150,7 +150,9 @@ fn presets(app: App) -> View {
         })
     };
     let refusal = create_signal(None::<String>);
-    let apply = move |index: usize| refusal.set(app.attempt(|play| play.apply_preset(index)));
+    let apply = move |index: usize| {
+        refusal.set(app.attempt(|play| play.change_settings(|settings| settings.apply_preset(index))))
+    };
     let choose = |preset: PresetView| {
         let index = preset.index;
         button()
@@ -213,7 +215,9 @@ fn states(app: App) -> View {
             editable: memo(move || view().is_some_and(|state| state.editable)),
             signed: true,
             error,
-            commit: Box::new(move |text| app.attempt(|play| play.set_state_text(index(), text))),
+            commit: Box::new(move |text| {
+                app.attempt(|play| play.change_settings(|settings| settings.set_state_text(index(), text)))
+            }),
             nudge: Box::new(|_| ()),
         };
         let name = label().r#for(id.clone()).child(name_and_symbol(&state.label, &state.name));
@@ -227,7 +231,7 @@ fn states(app: App) -> View {
     };
     let hint = move || {
         app.changes.parameters.track();
-        let by_hand = app.read(|play| play.is_started_by_hand());
+        let by_hand = app.read(|play| play.course().is_started_by_hand());
         (if by_hand { words.started_by_hand } else { words.state_hint }).to_owned()
     };
     block
@@ -264,7 +268,7 @@ fn numerics(app: App) -> HtmlDetails {
         editable: memo(|| true),
         signed: false,
         error,
-        commit: Box::new(move |text| app.attempt(|play| play.set_step_text(text))),
+        commit: Box::new(move |text| app.attempt(|play| play.change_settings(|settings| settings.set_step_text(text)))),
         nudge: Box::new(|_| ()),
     };
     let now = move || {
@@ -279,7 +283,7 @@ fn numerics(app: App) -> HtmlDetails {
         .prop("value", now)
         .when(events::change, move |event| {
             let name = value_of(&event);
-            refusal.set(app.attempt(|play| play.set_method(&name)));
+            refusal.set(app.attempt(|play| play.change_settings(|settings| settings.set_method(&name))));
         })
         .each(app.read(|play| play.basis().methods(play.course())), method);
     let method = div()

@@ -103,7 +103,9 @@ fn number(app: App, first: ParameterView) -> HtmlDiv {
     let slide_by = move |by: i32| {
         app.slide(|play| {
             if let Some(slider) = play.basis().parameter(play.course(), index).and_then(|view| view.slider) {
-                play.slide(index, slider.position.saturating_add_signed(by).min(slider.positions));
+                play.change_settings(|settings| {
+                    settings.slide(index, slider.position.saturating_add_signed(by).min(slider.positions))
+                });
             }
         });
     };
@@ -113,7 +115,9 @@ fn number(app: App, first: ParameterView) -> HtmlDiv {
         editable: memo(|| true),
         signed: first.range.as_ref().is_none_or(|(low, _)| low.starts_with(['-', '−'])),
         error,
-        commit: Box::new(move |text| app.attempt(|play| play.set_parameter_text(index, text))),
+        commit: Box::new(move |text| {
+            app.attempt(|play| play.change_settings(|settings| settings.set_parameter_text(index, text)))
+        }),
         nudge: Box::new(slide_by),
     };
     let slider = first.slider.map(|slider| {
@@ -137,7 +141,7 @@ fn number(app: App, first: ParameterView) -> HtmlDiv {
             .when(events::input, move |event| {
                 if let Ok(position) = value_of(&event).parse() {
                     error.set(None);
-                    app.slide(|play| play.slide(index, position));
+                    app.slide(|play| play.change_settings(|settings| settings.slide(index, position)));
                 }
             })
             .when(events::keydown, move |event: KeyboardEvent| {

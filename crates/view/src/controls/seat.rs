@@ -7,12 +7,12 @@ use crate::views::*;
 /// Field with a note that says whose values are set; nothing if the document assigns no values.
 pub fn view(app: App) -> View {
     let words = app.words();
-    if app.read(|play| play.seat()).is_none() {
+    if app.read(|play| play.basis().seat()).is_none() {
         return View::new();
     }
     let number = memo(move || {
         app.changes.parameters.track();
-        app.read(|play| play.seat().and_then(|seat| seat.number))
+        app.read(|play| play.basis().seat().and_then(|seat| seat.number))
     });
     let (locked, fixed) = (app.host().embedding().locked, app.host().has_fixed_seat());
     let error = create_signal(None::<String>);

@@ -79,14 +79,14 @@ fn pressed(app: App, hands: &Hands, event: &KeyboardEvent) {
                 toggle(app, target.filter(|_| clicked));
             }
         }
-        "k" | "K" => app.act(Play::toggle),
-        "r" | "R" => app.act(Play::back_to_start),
-        "," => app.act(Play::step_back),
-        "." => app.act(Play::step_forward),
+        "k" | "K" => app.act(|play| play.change_run(|line, _| line.toggle())),
+        "r" | "R" => app.act(|play| play.change_run(|line, basis| line.back_to_start(basis))),
+        "," => app.act(|play| play.change_run(|line, _| line.step_back())),
+        "." => app.act(|play| play.change_run(|line, _| line.step_forward())),
         "<" => app.act(|play| change_speed(play, false)),
         ">" => app.act(|play| change_speed(play, true)),
         "s" | "S" => {
-            if let Some(refusal) = app.attempt(Play::keep) {
+            if let Some(refusal) = app.attempt(|play| play.change_run(|line, basis| line.keep(basis))) {
                 app.complain(refusal);
             }
         }
@@ -102,7 +102,7 @@ fn toggle(app: App, clicked: Option<Element>) {
     let own = transport.and_then(|transport| transport.query_selector("button.play").ok().flatten());
     match own.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
         Some(button) => button.click(),
-        None => app.act(Play::toggle),
+        None => app.act(|play| play.change_run(|line, _| line.toggle())),
     }
 }
 
@@ -114,7 +114,7 @@ fn change_speed(play: &mut Play, faster: bool) {
         SPEEDS.iter().rev().find(|&&speed| speed < now)
     };
     if let Some(&speed) = next {
-        play.set_speed(speed);
+        play.change_run(|line, _| line.set_speed(speed));
     }
 }
 

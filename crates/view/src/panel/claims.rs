@@ -25,7 +25,10 @@ pub fn view(app: App) -> View {
         app.changes.claims.track();
         summary_of(app)
     };
-    let run = button().class("quiet").id("run-checks").when(events::click, move |_| app.act(play::Play::begin_claims));
+    let run = button()
+        .class("quiet")
+        .id("run-checks")
+        .when(events::click, move |_| app.act(|play| play.change_claims(|claims, _| claims.begin())));
     details()
         .class("card fold checks")
         .id("checks")

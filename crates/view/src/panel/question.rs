@@ -41,14 +41,16 @@ fn open(app: App, index: usize) -> View {
     let unit = app.read(|play| play.basis().question_unit(index));
     let given = app.read(|play| play.answers().answer(play.basis(), index));
     let verdict = create_signal(given.verdict);
-    let revealed = create_signal(given.revealed.then(|| app.read(|play| play.reveal_answer(index))));
+    let revealed = create_signal(
+        given.revealed.then(|| app.read(|play| play.change_answers(|answers, run| answers.reveal(run, index)))),
+    );
     let (field, number) = (format!("answer-{index}"), index + 1);
     let mut input = short_field(field.clone());
     let node: HtmlInputElement = input.node();
     let check = move |event: SubmitEvent| {
         event.prevent_default();
         let answer = node.value();
-        verdict.set(app.act(|play| Some(play.check_answer(index, &answer))));
+        verdict.set(app.act(|play| Some(play.change_answers(|answers, run| answers.check(run, index, &answer)))));
     };
     let grade = move || {
         verdict.with(|verdict| match verdict.as_ref().map(|verdict| verdict.grade) {
@@ -81,9 +83,10 @@ fn open(app: App, index: usize) -> View {
         .prop("value", given.typed)
         .when(events::input, move |event| {
             verdict.set(None);
-            app.act(|play| play.type_answer(index, &value_of(&event)));
+            app.act(|play| play.change_answers(|answers, _| answers.type_text(index, &value_of(&event))));
         });
-    let reveal = move |_| revealed.set(Some(app.act(|play| play.reveal_answer(index))));
+    let reveal =
+        move |_| revealed.set(Some(app.act(|play| play.change_answers(|answers, run| answers.reveal(run, index)))));
     let form = form()
         .class("answer")
         .when(events::submit, check)

@@ -57,7 +57,7 @@ pub fn theory(app: App, besides: Box<dyn Fn() -> View>) -> HtmlDiv {
 
 fn prose(app: App, sections: &[Section], top: u8) -> HtmlDiv {
     // That of the document where it is not translated.
-    let language = app.read(|play| play.program().edition(play.language().tag()).language.clone());
+    let language = app.read(|play| play.program().edition(play.basis().language().tag()).language.clone());
     div().class("prose").lang(language).each(sections, |section| passage(app, section, top))
 }
 

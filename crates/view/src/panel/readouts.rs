@@ -30,7 +30,9 @@ pub fn view(app: App) -> HtmlSection {
             app.changes.values.track();
             app.read(|play| play.answers().shows_hidden())
         })
-        .when(events::change, move |event| app.act(|play| play.show_hidden(is_checked(&event))));
+        .when(events::change, move |event| {
+            app.act(|play| play.change_answers(|answers, _| answers.show_hidden(is_checked(&event))))
+        });
     readouts
         .maybe(list(true, words.changing))
         .maybe(list(false, words.constants))

@@ -52,19 +52,24 @@ fn item(app: App, index: usize, view: SurveyView) -> View {
             .id(id)
             .name(format!("survey-{index}"))
             .prop("checked", chosen == answer)
-            .when(events::change, move |_| app.act(|play| play.choose_in_survey(index, answer)));
+            .when(events::change, move |_| {
+                app.act(|play| play.change_survey(|survey, basis| survey.choose(basis, index, answer)))
+            });
         View::from(label().child(input).child(span().child(words)))
     };
     let none = || radio(None, app.words().survey_none.into());
     let group = || fieldset().class("survey-item").child(legend().child(text.asked.clone()));
     match item.kind {
         SurveyKind::Text => {
-            let field = textarea()
-                .id(id.clone())
-                .attr("maxlength", "2000")
-                .attr("rows", "4")
-                .prop("value", typed)
-                .when(events::input, move |event| app.act(|play| play.type_in_survey(index, &value_of(&event))));
+            let field =
+                textarea().id(id.clone()).attr("maxlength", "2000").attr("rows", "4").prop("value", typed).when(
+                    events::input,
+                    move |event| {
+                        app.act(|play| {
+                            play.change_survey(|survey, basis| survey.type_text(basis, index, &value_of(&event)))
+                        })
+                    },
+                );
             div().class("survey-item").child(label().r#for(id).child(text.asked.clone())).child(field).into()
         }
         SurveyKind::Role | SurveyKind::Choice => {

@@ -151,9 +151,9 @@ fn keyboard(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
             (false, _) => (0.0, right + up),
         };
         app.act(|play| {
-            play.drag_begin(&drag);
-            play.drag_move(right * step, up * step);
-            play.drag_end();
+            play.change_settings(|settings| settings.drag_begin(&drag));
+            play.change_settings(|settings| settings.drag_move(right * step, up * step));
+            play.change_settings(|settings| settings.drag_end());
         });
     });
 }

@@ -59,7 +59,7 @@ impl Sketch {
         let index = self.index;
         self.app.slide(move |play| {
             // The heights of the field always fit the curve.
-            let _ = play.draw(index, &heights);
+            let _ = play.change_settings(|settings| settings.draw(index, &heights));
         });
     }
 
@@ -128,7 +128,7 @@ fn field(app: App, first: DrawingView) -> HtmlDiv {
         .attr("aria-disabled", move || {
             now.with(|view| view.as_ref().is_none_or(|view| view.is_default)).then_some("true")
         })
-        .when(events::click, move |_| app.act(|play| play.clear_drawing(index)))
+        .when(events::click, move |_| app.act(|play| play.change_settings(|settings| settings.clear_drawing(index))))
         .child(words.clear_drawing);
     let [low, high] = first.values.clone();
     let [from, until] = first.arguments.clone();

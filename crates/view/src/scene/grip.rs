@@ -5,7 +5,6 @@
 //! handle is under the finger. Elsewhere, a finger scrolls the page.
 
 use crate::app::App;
-use play::Play;
 use program::Drag;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -77,7 +76,7 @@ impl Grips {
             options.set_prevent_scroll(true);
             let _ = node.focus_with_options(&options);
             held.set(Some(Held { pointer: event.pointer_id(), handle, at }));
-            app.act(|play| play.drag_begin(drag));
+            app.act(|play| play.change_settings(|settings| settings.drag_begin(drag)));
         });
     }
 
@@ -91,7 +90,7 @@ impl Grips {
             {
                 let right = (f64::from(event.client_x()) - held.at.0) / f64::from(matrix.a());
                 let up = (held.at.1 - f64::from(event.client_y())) / f64::from(matrix.d());
-                app.slide(|play| play.drag_move(right, up));
+                app.slide(|play| play.change_settings(|settings| settings.drag_move(right, up)));
             }
         });
     }
@@ -106,7 +105,7 @@ impl Grips {
                 if let Some((node, _)) = handles.get(let_go.handle) {
                     let _ = node.set_attribute("part", "handle");
                 }
-                app.act(Play::drag_end);
+                app.act(|play| play.change_settings(|settings| settings.drag_end()));
             });
         }
     }

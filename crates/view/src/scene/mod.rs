@@ -84,13 +84,13 @@ struct Outline {
 
 impl Outline {
     fn draw(&mut self, play: &mut Play) {
-        let follows = play.outline().map_or(&[][..], |outline| &outline.follows);
+        let follows = play.values().outline().map_or(&[][..], |outline| &outline.follows);
         if self.follows != follows {
             self.follows = follows.to_vec();
             self.build();
         }
         let Some(node) = &self.node else { return };
-        let values = play.outline().and_then(|outline| outline.values.as_ref());
+        let values = play.values().outline().and_then(|outline| outline.values.as_ref());
         let _ = if values.is_some() { node.remove_attribute("display") } else { node.set_attribute("display", "none") };
         let Some(values) = values else { return };
         for binding in &mut self.bindings {

@@ -85,14 +85,14 @@ impl Picture {
     /// Updates all nodes except texts.
     pub fn draw_shapes(&mut self, play: &mut Play) {
         self.values.clear();
-        self.values.extend_from_slice(play.scene_values());
+        self.values.extend_from_slice(play.scene().values());
         let (values, drawn) = (&self.values, &self.drawn);
         let changed = |index: usize| {
             values.get(index).map(|value| value.to_bits()) != drawn.get(index).map(|value| value.to_bits())
         };
         for binding in &mut self.bindings.attributes {
             if let [Piece::Trail(number)] = binding.template.as_slice() {
-                play.scene_trail(*number, &mut self.text);
+                play.scene().write_trail(*number, &mut self.text);
                 binding.show(&self.text);
             } else if binding.template.iter().filter_map(Piece::value).any(changed) {
                 binding.write(values, &mut self.text);
@@ -108,7 +108,7 @@ impl Picture {
             for piece in &label.template {
                 match piece {
                     Piece::Literal(literal) => self.text.push_str(literal),
-                    Piece::Value { index, decimals } => self.text.push_str(&play.scene_text(*index, *decimals)),
+                    Piece::Value { index, decimals } => self.text.push_str(&play.scene().text(*index, *decimals)),
                     Piece::Choice { .. } | Piece::Trail(_) => {}
                 }
             }

@@ -133,10 +133,10 @@ pub fn moved(app: App, id: PlotId, event: &PointerEvent) {
         }
     });
     match motion {
-        Some(Motion::Pan(right, down)) => app.act(|play| play.change_plots(|plots| plots.pan(id, right, down))),
+        Some(Motion::Pan(right, down)) => app.act(|play| play.change_plots(|plots, _| plots.pan(id, right, down))),
         Some(Motion::Pinch { at, factor, right, down }) => app.act(|play| {
-            play.change_plots(|plots| plots.pan(id, right, down));
-            play.change_plots(|plots| plots.zoom(id, Some(at), factor, Direction::Both));
+            play.change_plots(|plots, _| plots.pan(id, right, down));
+            play.change_plots(|plots, _| plots.zoom(id, Some(at), factor, Direction::Both));
         }),
         Some(Motion::Read) => {
             look_at(app, id, point(at));
@@ -162,7 +162,7 @@ pub fn up(app: App, id: PlotId, event: &PointerEvent) {
         && (from.0 - to.0).abs() > SMALLEST
         && (from.1 - to.1).abs() > SMALLEST
     {
-        app.act(|play| play.change_plots(|plots| plots.zoom_to(id, point(from), point(to))));
+        app.act(|play| play.change_plots(|plots, _| plots.zoom_to(id, point(from), point(to))));
     }
     app.wake();
 }
@@ -195,7 +195,7 @@ pub fn wheel(app: App, id: PlotId, event: &WheelEvent) {
     let direction = if event.shift_key() { Direction::Horizontal } else { Direction::Both };
     let delta = if event.delta_y() == 0.0 { event.delta_x() } else { event.delta_y() };
     let factor = if delta < 0.0 { 1.25 } else { 0.8 };
-    app.act(|play| play.change_plots(|plots| plots.zoom(id, Some(at), factor, direction)));
+    app.act(|play| play.change_plots(|plots, _| plots.zoom(id, Some(at), factor, direction)));
 }
 
 /// Handles a key pressed on the canvas.
@@ -206,15 +206,15 @@ pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
     let (key, pan) = (event.key(), 30.0);
     let rows = if event.shift_key() { 10 } else { 1 };
     match (key.as_str(), event.ctrl_key()) {
-        ("ArrowLeft", true) => app.act(|play| play.change_plots(|plots| plots.pan(id, pan, 0.0))),
-        ("ArrowRight", true) => app.act(|play| play.change_plots(|plots| plots.pan(id, -pan, 0.0))),
-        ("ArrowUp", true) => app.act(|play| play.change_plots(|plots| plots.pan(id, 0.0, pan))),
-        ("ArrowDown", true) => app.act(|play| play.change_plots(|plots| plots.pan(id, 0.0, -pan))),
+        ("ArrowLeft", true) => app.act(|play| play.change_plots(|plots, _| plots.pan(id, pan, 0.0))),
+        ("ArrowRight", true) => app.act(|play| play.change_plots(|plots, _| plots.pan(id, -pan, 0.0))),
+        ("ArrowUp", true) => app.act(|play| play.change_plots(|plots, _| plots.pan(id, 0.0, pan))),
+        ("ArrowDown", true) => app.act(|play| play.change_plots(|plots, _| plots.pan(id, 0.0, -pan))),
         ("ArrowLeft", false) => read(app, id, -rows),
         ("ArrowRight", false) => read(app, id, rows),
-        ("+" | "=", false) => app.act(|play| play.change_plots(|plots| plots.zoom(id, None, 1.5, Direction::Both))),
+        ("+" | "=", false) => app.act(|play| play.change_plots(|plots, _| plots.zoom(id, None, 1.5, Direction::Both))),
         ("-" | "_", false) => {
-            app.act(|play| play.change_plots(|plots| plots.zoom(id, None, 1.0 / 1.5, Direction::Both)))
+            app.act(|play| play.change_plots(|plots, _| plots.zoom(id, None, 1.0 / 1.5, Direction::Both)))
         }
         ("Enter", false) => {
             let cursor = with_plot(app, id, |plot| plot.cursor.clone()).flatten();
@@ -223,7 +223,7 @@ pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
             }
         }
         ("Escape", false) if pins::clear(app, id) => {}
-        ("0", false) => app.act(|play| play.change_plots(|plots| plots.reset(id))),
+        ("0", false) => app.act(|play| play.change_plots(|plots, _| plots.reset(id))),
         _ => return,
     }
     event.prevent_default();
@@ -232,7 +232,9 @@ pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
 
 /// Moves the keyboard cursor by a number of rows and speaks the read-out.
 fn read(app: App, id: PlotId, rows: isize) {
-    let Some(readout) = app.act(|play| play.move_cursor(id, rows)) else { return };
+    let Some(readout) = app.act(|play| play.change_plots(|plots, run| plots.move_cursor(run, id, rows))) else {
+        return;
+    };
     let mut words = vec![readout.heading.clone()];
     words.extend(readout.samples.iter().map(|sample| sample.text.clone()));
     words.retain(|line| !line.is_empty());

@@ -129,7 +129,7 @@ fn instruments(app: App, has_scene: bool) -> HtmlDiv {
 /// Legend of the dashed outline in the scene; empty without outline.
 fn outline_legend(app: App) -> View {
     app.changes.plots.track();
-    let records = app.read(|play| play.outline().map_or_else(Vec::new, |outline| outline.sources.clone()));
+    let records = app.read(|play| play.values().outline().map_or_else(Vec::new, |outline| outline.sources.clone()));
     if records.is_empty() {
         return View::new();
     }

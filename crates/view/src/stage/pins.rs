@@ -26,7 +26,7 @@ pub fn press(app: App, id: PlotId, at: Point) {
         with_plot(app, id, |plot| plot.pins.remove(place));
         return tell(app, id);
     }
-    if let Some(readout) = app.read(|play| play.hover_plot(id, at)) {
+    if let Some(readout) = app.read(|play| play.change_plots(|plots, run| plots.hover(run, id, at))) {
         pin(app, id, readout);
     }
 }

@@ -87,7 +87,7 @@ impl PlotNodes {
             brush.paint(&self.context, colours);
         }
         let readout = match self.pointer {
-            Some(at) => play.hover_plot(id, at),
+            Some(at) => play.change_plots(|plots, run| plots.hover(run, id, at)),
             None => self.cursor.clone(),
         };
         if let Some((from, to)) = self.gesture.rectangle() {
@@ -151,7 +151,7 @@ pub fn brush(play: &Play, id: PlotId, part: Option<Part>) -> Option<Brush<'_>> {
 pub fn look_at(app: App, id: PlotId, at: Point) {
     app.host().look_at(&mut || {
         app.read(|play| {
-            let x = play.hover_plot(id, at)?.samples.first()?.x;
+            let x = play.change_plots(|plots, run| plots.hover(run, id, at))?.samples.first()?.x;
             Some(play.plots().unit_of_time_axis(id)?.to_si(x))
         })
     });

@@ -69,12 +69,12 @@ fn menu(app: App, id: PlotId, menu_id: String, open: Signal<bool>, figure: Eleme
     });
     let automatic = move || app.plot(id).is_none_or(|plot| plot.automatic);
     let zoom = move |factor: f64| {
-        app.act(|play| play.change_plots(|plots| plots.zoom(id, None, factor, figure::Direction::Both)))
+        app.act(|play| play.change_plots(|plots, _| plots.zoom(id, None, factor, figure::Direction::Both)))
     };
     let tool = |name: &'static str| button().class("icon").called(name);
     let fit = tool(words.fit)
         .attr("aria-disabled", move || automatic().to_string())
-        .when(events::click, move |_| app.act(|play| play.change_plots(|plots| plots.reset(id))))
+        .when(events::click, move |_| app.act(|play| play.change_plots(|plots, _| plots.reset(id))))
         .child(icons::fit());
     div()
         .class("menu")

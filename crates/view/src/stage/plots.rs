@@ -28,7 +28,7 @@ pub fn view(app: App) -> View {
             if narrow {
                 app.front_plot.set(Some(id));
             }
-            app.act(|play| play.change_plots(|plots| plots.show(id, narrow || !shown)));
+            app.act(|play| play.change_plots(|plots, _| plots.show(id, narrow || !shown)));
         };
         button()
             .class("chip")
@@ -116,7 +116,7 @@ pub fn figure(app: App, id: PlotId, shown: Box<dyn Fn() -> bool>) -> HtmlFigure 
         .when(events::pointercancel, move |event| gestures::cancelled(app, id, &event))
         .when(events::pointerleave, move |_| gestures::left(app, id))
         .when(events::wheel, move |event| gestures::wheel(app, id, &event))
-        .when(events::dblclick, move |_| app.act(|play| play.change_plots(|plots| plots.reset(id))))
+        .when(events::dblclick, move |_| app.act(|play| play.change_plots(|plots, _| plots.reset(id))))
         .when(events::keydown, move |event| gestures::key(app, id, &event))
         .when(events::blur, move |_| gestures::blurred(app, id));
     let mut figure = tags::figure();

@@ -10,7 +10,7 @@ use play::Play;
 pub fn keep_button(app: App) -> HtmlButton {
     let words = app.words();
     let keep = move |_| {
-        if let Some(refusal) = app.attempt(Play::keep) {
+        if let Some(refusal) = app.attempt(|play| play.change_run(|line, basis| line.keep(basis))) {
             app.complain(refusal)
         }
     };
@@ -40,16 +40,16 @@ pub fn list(app: App) -> View {
         let run = |(id, name, pattern): (u32, String, u8)| {
             let show = move |event| {
                 let shown = is_checked(&event);
-                app.act(|play| play.show_kept(id, shown));
+                app.act(|play| play.change_run(|line, _| line.show_kept(id, shown)));
             };
             let tick = input().r#type("checkbox").prop("checked", move || shown(id)).when(events::change, show);
-            let remove = remove(app, &name, move |play| play.remove_kept(id));
+            let remove = remove(app, &name, move |play| play.change_run(|line, basis| line.remove_kept(basis, id)));
             let name = span().class("run-name").title(name.clone()).child(name);
             let line = legend::sample(figure::Style::Faded(pattern), 0);
             li().class("run").child(switch(tick, View::from((line, name)))).child(remove)
         };
         let ghost = ghost.then(|| {
-            let remove = remove(app, words.ghost, Play::remove_ghost);
+            let remove = remove(app, words.ghost, |play| play.change_run(|line, basis| line.remove_ghost(basis)));
             li().class("run ghost").child(span().child(words.ghost)).child(remove)
         });
         ul().class("runs").attr("aria-label", words.runs).each(named, run).maybe(ghost).into()

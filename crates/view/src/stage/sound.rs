@@ -57,7 +57,7 @@ impl Sound {
     pub fn follow(&mut self, play: &Play) {
         let Some(voice) = self.voice.as_ref().filter(|_| self.on) else { return };
         let now = voice.context.current_time();
-        let pitch = play.pitch().filter(|_| play.time_line().is_playing() || play.controls().is_dragging());
+        let pitch = play.controls().pitch(play.time_line());
         if let Some(pitch) = pitch {
             let _ = voice.oscillator.frequency().set_target_at_time(pitch as f32, now, GLIDE);
         }

@@ -56,7 +56,7 @@ pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let status = move || {
         app.changes.transport.track();
-        app.read(|play| Some(play.time_line().status(play.basis())))
+        app.read(|play| Some(play.time_line().status()))
     };
     let playing = memo(move || status() == Some(Status::Playing));
     let (steady, digits) = Steady::new();
@@ -88,14 +88,20 @@ pub fn view(app: App) -> HtmlSection {
         .id("play")
         .title(move || format!("{} (K)", play()))
         .attr("aria-label", play)
-        .when(events::click, move |_| app.act(Play::toggle))
+        .when(events::click, move |_| app.act(|play| play.change_run(|line, _| line.toggle())))
         .child(changing(move || if playing.get() { icons::pause() } else { icons::play() }));
     let buttons = div()
         .class("buttons")
-        .child(step("back-to-start", words.back_to_start, 'R', icons::reset(), Play::back_to_start))
-        .child(step("step-back", words.step_back, ',', icons::step_back(), Play::step_back))
+        .child(step("back-to-start", words.back_to_start, 'R', icons::reset(), |play| {
+            play.change_run(|line, basis| line.back_to_start(basis))
+        }))
+        .child(step("step-back", words.step_back, ',', icons::step_back(), |play| {
+            play.change_run(|line, _| line.step_back())
+        }))
         .child(toggle)
-        .child(step("step-forward", words.step_forward, '.', icons::step_forward(), Play::step_forward));
+        .child(step("step-forward", words.step_forward, '.', icons::step_forward(), |play| {
+            play.change_run(|line, _| line.step_forward())
+        }));
     let line = line
         .value("0")
         .attr("aria-label", words.time_line)
@@ -122,7 +128,7 @@ pub fn view(app: App) -> HtmlSection {
 
 fn scrub(app: App, position: &str) {
     let fraction = position.parse::<f64>().unwrap_or(0.0) / POSITIONS;
-    app.slide(|play| play.scrub(fraction * play.basis().horizon(play.course())));
+    app.slide(|play| play.change_run(|line, basis| line.scrub(fraction * basis.horizon(line.course()))));
 }
 
 /// On the time line, the arrow keys move by grid steps instead of slider positions.
@@ -131,11 +137,11 @@ fn line_key(app: App, event: &web_sys::KeyboardEvent) {
         return;
     }
     match event.key().as_str() {
-        "ArrowLeft" | "ArrowDown" => app.slide(Play::step_back),
+        "ArrowLeft" | "ArrowDown" => app.slide(|play| play.change_run(|line, _| line.step_back())),
         "ArrowRight" | "ArrowUp" => app.slide(|play| {
             // Only within the recording; beyond its end, the step button is used.
             if play.course().is_scrubbed() {
-                play.step_forward();
+                play.change_run(|line, _| line.step_forward());
             }
         }),
         _ => return,
@@ -156,7 +162,7 @@ fn speed(app: App) -> HtmlLabel {
     };
     let set = move |event| {
         if let Ok(speed) = value_of(&event).parse() {
-            app.act(|play| play.set_speed(speed));
+            app.act(|play| play.change_run(|line, _| line.set_speed(speed)));
         }
     };
     let select = select()
@@ -196,7 +202,7 @@ fn ended(app: App) -> impl Into<View> {
     });
     // The button disappears when used; the focus stays in the transport.
     let go_on = move |_| {
-        app.act(Play::play);
+        app.act(|play| play.change_run(|line, _| line.play()));
         if let Some(play) = browser::by_id::<HtmlElement>("play") {
             let _ = play.focus();
         }
@@ -214,7 +220,7 @@ fn ended(app: App) -> impl Into<View> {
 /// for the others.
 fn trouble(app: App, announced: bool) -> String {
     let words = app.words();
-    app.read(|play| match play.time_line().status(play.basis()) {
+    app.read(|play| match play.time_line().status() {
         Status::Failed if announced => play
             .time_line()
             .problem(play.basis())

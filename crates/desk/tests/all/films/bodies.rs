@@ -66,13 +66,13 @@ fn filmed(scene: &Scene) -> Desk {
     let mut desk = open(scene.source, &[]);
     let recipe = desk.films().recipe(scene.settings).expect("a recipe");
     let mut play = desk.films().filmed_play(&recipe).expect("its run");
-    play.play();
+    play.change_run(|line, _| line.play());
     while play.course().front() < scene.settings.seconds + 0.1 && !play.course().has_ended() {
-        play.tick(0.05);
+        play.change_run(|line, _| line.tick(0.05));
     }
     let mut state = vec![0.0; play.model().states.len()];
     let mut place = |time: f64| {
-        play.state_at(time, &mut state).expect("the run has come there");
+        play.change_run(|line, _| line.state_at(time, &mut state)).expect("the run has come there");
         let [x, y] = (scene.body)(&state);
         [scene.origin[0] + x / scene.pixel, scene.origin[1] - y / scene.pixel]
     };
@@ -125,7 +125,7 @@ fn fitted(desk: &mut Desk, varied: &[(&str, f64)]) -> impl Fn(&str) -> [f64; 2] 
     desk.change_fits(|fits, data| fits.begin(data, "theory.md")).expect("a fit");
     while desk.advance_fit() {}
     let detail = desk.fits().detail(desk.fits().list()[0].id).expect("it is finished");
-    let style = desk.play().style();
+    let style = desk.play().basis().style();
     move |name: &str| {
         let text = &detail.estimates.iter().find(|one| one.name == name).unwrap_or_else(|| panic!("{name}")).value;
         let number = |text: &str| desk::number::parse(text, style).expect("a number").0;

@@ -120,7 +120,7 @@ fn the_same_recipe_is_the_same_film_at_the_next_visit() {
     }
     assert_eq!(next.films().recipes(), std::slice::from_ref(&recipe));
     let play = next.films().filmed_play(&recipe).unwrap();
-    assert_eq!(play.course().parameters(), desk.play().from_start().course().parameters());
+    assert_eq!(play.course().parameters(), desk.play().course().parameters());
     assert_eq!(filmed(&mut next, &recipe, 75), FilmOpening::TakenUp);
     assert_eq!(next.films().recipes(), [], "the open one is not offered again");
     // The tracks are shown at once. Only the strips are read; nothing is computed.

@@ -81,7 +81,7 @@ fn columns(desk: &Desk) -> Vec<Vec<f64>> {
     let record = &desk.records().list()[0];
     let column = |index: usize| -> Vec<f64> {
         let cells = desk.records().cells(record.id, index, 0..record.rows);
-        cells.iter().map(|cell| desk::number::parse(cell, desk.play().style()).unwrap().0).collect()
+        cells.iter().map(|cell| desk::number::parse(cell, desk.play().basis().style()).unwrap().0).collect()
     };
     (0..record.columns.len()).map(column).collect()
 }
@@ -126,7 +126,7 @@ fn a_fit_of_a_film_finds_the_truth() {
     assert!(detail.sentences.iter().any(|one| one.starts_with(scale)), "{:?}", detail.sentences);
     for (name, truth) in [("omega", (OMEGA * OMEGA + DECAY * DECAY).sqrt()), ("beta", DECAY)] {
         let text = &detail.estimates.iter().find(|one| one.name == name).unwrap().value;
-        let number = |text: &str| desk::number::parse(text, desk.play().style()).unwrap().0;
+        let number = |text: &str| desk::number::parse(text, desk.play().basis().style()).unwrap().0;
         let (value, error) = text.split_once('±').unwrap();
         let (off, error) = (number(value) - truth, number(error));
         assert!(off.abs() < 3.0 * error && error < 0.01, "{name} = {text} for {truth}");
@@ -341,7 +341,7 @@ fn a_record_in_pixels_is_fitted_by_a_model_in_pixels() {
     while desk.advance_fit() {}
     let detail = desk.fits().detail(desk.fits().list()[0].id).unwrap();
     let start = detail.estimates.iter().find(|one| one.name == "y_0").unwrap();
-    let (value, _) = desk::number::parse(&start.value, desk.play().style()).unwrap();
+    let (value, _) = desk::number::parse(&start.value, desk.play().basis().style()).unwrap();
     // Four centimetres above rest, in pixels of a millimetre.
     assert!(start.unit == "px" && (value - 40.0).abs() < 0.5, "{start:?}");
     assert!(!detail.sentences.iter().any(|one| one.contains("Scale of the film")));

@@ -43,7 +43,7 @@ fn a_comparison_of_periods_belongs_to_its_question() {
         Some(&question),
         "a fit that runs changes nothing"
     );
-    desk.play_mut().set_parameter_text(0, "9.7").unwrap();
+    desk.play_mut().change_settings(|settings| settings.set_parameter_text(0, "9.7")).unwrap();
     assert_ne!(desk.fits().period_question(desk.revision()).as_ref(), Some(comparison.question()), "other values");
     // It answers its own question even if the record is gone.
     desk.change_records(|records, _| records.remove(id));

@@ -127,7 +127,7 @@ fn the_part_in_a_plot_is_that_of_the_record_wherever_its_clock_begins() {
         let plot = PlotId::at(0);
         desk.follow();
         desk.play_mut().layout_plot(plot, &Settings::default());
-        desk.play_mut().change_plots(|plots| plots.zoom(plot, None, 2.0, Direction::Horizontal));
+        desk.play_mut().change_plots(|plots, _| plots.zoom(plot, None, 2.0, Direction::Horizontal));
         let part = desk.play().plots().zoomed_part().unwrap();
         desk.change_fits(|fits, data| fits.take_part_in_plot(data));
         let [from, until] = desk.fits().fitted_part().map(Option::unwrap);

@@ -251,9 +251,9 @@ fn ids_are_given_once() {
     other.change_fits(|fits, data| fits.begin(data, "theories/quadratic.md")).unwrap();
     while other.advance_fit() {}
     assert!(![first, second].contains(&other.fits().list()[0].id));
-    other.play_mut().keep().unwrap();
+    other.play_mut().change_run(|line, basis| line.keep(basis)).unwrap();
     let kept = other.play().time_line().kept(other.play().basis())[0].id;
-    other.play_mut().remove_kept(kept);
-    other.play_mut().keep().unwrap();
+    other.play_mut().change_run(|line, basis| line.remove_kept(basis, kept));
+    other.play_mut().change_run(|line, basis| line.keep(basis)).unwrap();
     assert_ne!(other.play().time_line().kept(other.play().basis())[0].id, kept);
 }

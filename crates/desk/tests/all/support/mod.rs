@@ -29,16 +29,18 @@ pub fn parameter(desk: &Desk, name: &str) -> usize {
 /// Sets a parameter to an SI value.
 pub fn set(desk: &mut Desk, name: &str, value: f64) {
     let index = parameter(desk, name);
-    desk.play_mut().set_parameter(index, value).expect("the value is in the range");
+    desk.play_mut()
+        .change_settings(|settings| settings.set_parameter(index, value))
+        .expect("the value is in the range");
 }
 
 /// Lets wall time pass in frames.
 pub fn play(desk: &mut Desk, frames: impl IntoIterator<Item = f64>) {
-    desk.play_mut().play();
+    desk.play_mut().change_run(|line, _| line.play());
     for seconds in frames {
-        desk.play_mut().tick(seconds);
+        desk.play_mut().change_run(|line, _| line.tick(seconds));
     }
-    desk.play_mut().pause();
+    desk.play_mut().change_run(|line, _| line.pause());
 }
 
 /// Restores records as at the next visit.

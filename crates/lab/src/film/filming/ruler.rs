@@ -36,7 +36,7 @@ impl Ruler {
         }
         let factor = [5.0, 2.0].into_iter().find(|factor| factor * ten <= most).unwrap_or(1.0);
         let value = factor * ten;
-        let length = format!("{} {}", plain(value, 3, play.style()), units::number::unit_text(&unit.text));
+        let length = format!("{} {}", plain(value, 3, play.basis().style()), units::number::unit_text(&unit.text));
         Some(Self { pixels: unit.to_si(value) / pixel, length, pixel })
     }
 

@@ -74,7 +74,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
             break;
         }
         let mut at = |play: &mut Play, time: f64| {
-            play.show_time(time);
+            play.change_run(|line, _| line.show_time(time));
             drawing.follow(play);
             drawing.places()
         };
@@ -85,7 +85,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
         let count = (DRAWINGS_PER_PIXEL * farthest(&begin, &end)).ceil().clamp(1.0, MOST_DRAWINGS) as usize;
         let mut exposure: Option<Exposure> = None;
         for instant in instants(time, settings.exposure, count) {
-            play.show_time(instant);
+            play.change_run(|line, _| line.show_time(instant));
             drawing.follow(&mut play);
             let plane = drawing.plane().await.ok_or_else(|| words.not_drawn.to_owned())?;
             match &mut exposure {
@@ -109,7 +109,7 @@ async fn shoot(app: App, recipe: &FilmRecipe) -> Result<(Vec<Plane>, FilmTruth),
 /// Computes the run up to a time (SI). Returns false if it ends before.
 async fn reach(play: &mut Play, time: f64, clock: &mut Slices) -> bool {
     while play.course().front() < time {
-        if !play.compute_on(time) {
+        if !play.change_run(|line, _| line.compute_on(time)) {
             return false;
         }
         clock.breathe().await;

@@ -19,8 +19,8 @@ fn a_method_and_a_step_that_were_chosen_stay_and_others_are_the_documents() {
         (play.course().begun().step, play.course().begun().method.name(), play.values().table_length()),
         (0.02, "euler", 51)
     );
-    play.set_method("velocity-verlet").unwrap();
-    play.set_step(0.1).unwrap();
+    play.change_settings(|settings| settings.set_method("velocity-verlet")).unwrap();
+    play.change_settings(|settings| settings.set_step(0.1)).unwrap();
     go_on(&mut play, [1.0]);
     play.replace_program(edited(&[]));
     assert_eq!((play.course().begun().step, play.course().begun().method.name()), (0.1, "velocity-verlet"));
@@ -49,12 +49,11 @@ fn plots_keep_what_was_chosen_by_their_titles() {
     let settings = Settings::default();
     for index in 0..3 {
         play.layout_plot(PlotId::at(index), &settings);
-        play.change_plots(|plots| plots.zoom(PlotId::at(index), None, 2.0, Direction::Both));
+        play.change_plots(|plots, _| plots.zoom(PlotId::at(index), None, 2.0, Direction::Both));
     }
-    play.change_plots(|plots| plots.show(PlotId::at(2), true));
-    let added = play.add_plot();
-    play.added_plot(added).unwrap().labels.title = "Residuals".to_owned();
-    play.added_plot_changed(added);
+    play.change_plots(|plots, _| plots.show(PlotId::at(2), true));
+    let added = play.change_plots(|plots, _| plots.add());
+    play.change_plots(|plots, _| plots.change_added(added, |plot| plot.labels.title = "Residuals".to_owned()));
     play.replace_program(edited(&[
         ("\"Motion\": y, y' against t", "\"Speed\": abs(y') against t\n\"Motion\": y, y' against t"),
         ("E, T, V against t", "E, T, V against y"),
@@ -73,7 +72,9 @@ fn plots_keep_what_was_chosen_by_their_titles() {
             ("Residuals", false, true),
         ]
     );
-    assert!(play.added_plot(PlotId::at(4)).is_some());
+    let mut is_added = false;
+    play.change_plots(|plots, _| plots.change_added(PlotId::at(4), |_| is_added = true));
+    assert!(is_added);
     play.set_language("es");
     assert_eq!(play.plots().list()[4].title, "Residuals");
 }
@@ -84,24 +85,24 @@ fn kept_runs_are_computed_with_the_new_equation() {
     let (mut play, mut other) = (utube(), fresh(&[equation]));
     for play in [&mut play, &mut other] {
         for b in [100.0, 200.0, 300.0] {
-            play.back_to_start();
+            play.change_run(|line, basis| line.back_to_start(basis));
             set(play, "b", b);
             go_on(play, [2.0]);
-            play.keep().unwrap();
+            play.change_run(|line, basis| line.keep(basis)).unwrap();
         }
         let first = play.time_line().kept(play.basis())[0].id;
-        play.remove_kept(first);
-        play.show_kept(play.time_line().kept(play.basis())[0].id, false);
-        play.back_to_start();
+        play.change_run(|line, basis| line.remove_kept(basis, first));
+        play.change_run(|line, basis| line.show_kept(line.kept(basis)[0].id, false));
+        play.change_run(|line, basis| line.back_to_start(basis));
     }
     let ids: Vec<u32> = play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect();
     play.replace_program(edited(&[equation]));
     assert!(dropped(&mut play).is_empty());
     assert_eq!(play.time_line().kept(play.basis()), other.time_line().kept(other.basis()));
     assert_eq!(play.time_line().kept(play.basis()).iter().map(|kept| kept.id).collect::<Vec<_>>(), ids);
-    play.clear_ghost();
+    play.change_run(|line, _| line.clear_ghost());
     assert_eq!(play.plots_to_front().csv(PlotId::at(0)), other.plots_to_front().csv(PlotId::at(0)));
-    assert_eq!(play.undo_number(), None, "the run that was removed was one of the former equation");
+    assert_eq!(play.removals().number(), None, "the run that was removed was one of the former equation");
     play.replace_program(edited(&[("0..20000", "0..250")]));
     assert_eq!(dropped(&mut play), ["b = 300 kg/s", "the kept run “b = 300 kg/s”"]);
     assert_eq!(play.time_line().kept(play.basis()).len(), 1);
@@ -109,10 +110,10 @@ fn kept_runs_are_computed_with_the_new_equation() {
 
 #[test]
 fn answers_stay_with_their_questions_and_grades_with_the_right_answers() {
-    let period = |play: &mut Play| play.check_answer(0, "2*pi/(1.672 1/s)").grade;
+    let period = |play: &mut Play| play.change_answers(|answers, run| answers.check(run, 0, "2*pi/(1.672 1/s)")).grade;
     let mut play = utube();
     assert_eq!(period(&mut play), Grade::Correct);
-    play.type_answer(1, "1 m");
+    play.change_answers(|answers, _| answers.type_text(1, "1 m"));
     // Another parameter and another question are inserted before all others.
     let more = [
         ("parameter g ", "parameter a = 1\nparameter g "),

@@ -38,6 +38,6 @@ fn swinging() -> Play {
     go_on(&mut play, [5.0]);
     set(&mut play, "b", 200.0);
     go_on(&mut play, [5.0]);
-    play.scrub(3.3);
+    play.change_run(|line, _| line.scrub(3.3));
     play
 }

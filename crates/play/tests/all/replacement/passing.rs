@@ -30,22 +30,22 @@ fn a_fresh_simulation_stays_fresh() {
 #[test]
 fn a_run_with_more_changes_than_a_link_holds_goes_on_to_the_bit() {
     let mut play = utube();
-    play.play();
-    play.tick(1.0);
-    play.keep().unwrap();
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(1.0));
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     let kept = play.time_line().kept(play.basis())[0].id;
-    play.back_to_start();
-    play.play();
+    play.change_run(|line, basis| line.back_to_start(basis));
+    play.change_run(|line, _| line.play());
     for change in 0..400 {
-        play.tick(0.02);
+        play.change_run(|line, _| line.tick(0.02));
         set(&mut play, "b", 100.0 + f64::from(change));
     }
-    play.keep().unwrap();
-    play.show_kept(kept, false);
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
+    play.change_run(|line, _| line.show_kept(kept, false));
     // What follows this moment becomes the ghost.
-    play.scrub(4.0);
-    play.play();
-    play.tick(0.25);
+    play.change_run(|line, _| line.scrub(4.0));
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(0.25));
     assert!(play.time_line().has_ghost());
     let expected = shown(&mut play);
     let mut witness = utube();
@@ -55,7 +55,7 @@ fn a_run_with_more_changes_than_a_link_holds_goes_on_to_the_bit() {
     assert_eq!(shown(&mut other), expected);
     assert!(other.time_line().is_playing());
     assert!(other.take_announcement().is_none(), "nobody is told again");
-    other.tick(0.5);
-    play.tick(0.5);
+    other.change_run(|line, _| line.tick(0.5));
+    play.change_run(|line, _| line.tick(0.5));
     assert_eq!(bits(&other), bits(&play));
 }

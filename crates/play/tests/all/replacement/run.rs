@@ -17,11 +17,11 @@ fn a_run_of_the_same_model_stays_as_it_is() {
     ] {
         for method in ["rk4", "dormand-prince"] {
             let mut play = utube();
-            play.set_method(method).unwrap();
+            play.change_settings(|settings| settings.set_method(method)).unwrap();
             go_on(&mut play, [5.0]);
             set(&mut play, "b", 200.0);
             go_on(&mut play, [1.0]);
-            play.scrub(3.3);
+            play.change_run(|line, _| line.scrub(3.3));
             // A row has the same value at the same address, because nothing has been recomputed.
             let row = |play: &Play| play.course().history().unwrap().times().as_ptr();
             let (before, table, place) = (state(&play), play.values().table_cells(), row(&play));
@@ -34,20 +34,20 @@ fn a_run_of_the_same_model_stays_as_it_is() {
             }
             // Plots and later bits equal those of a run that used this program from the beginning.
             let mut other = fresh(&[(from, to)]);
-            other.set_method(method).unwrap();
+            other.change_settings(|settings| settings.set_method(method)).unwrap();
             go_on(&mut other, [5.0]);
             set(&mut other, "b", 200.0);
             go_on(&mut other, [1.0]);
-            other.scrub(3.3);
+            other.change_run(|line, _| line.scrub(3.3));
             let drawn = |play: &mut Play, index| {
-                play.clear_ghost();
+                play.change_run(|line, _| line.clear_ghost());
                 play.plots_to_front().svg(PlotId::at(index), &Settings::default(), &Palette::LIGHT)
             };
             for index in 0..other.plots().list().len() {
                 assert_eq!(drawn(&mut play, index), drawn(&mut other, index), "{what}, plot {index}");
             }
             for play in [&mut play, &mut other] {
-                play.scrub(6.0);
+                play.change_run(|line, _| line.scrub(6.0));
                 go_on(play, [4.0]);
             }
             assert_eq!(bits(&play), bits(&other), "{what}");
@@ -67,11 +67,11 @@ fn a_new_default_counts_where_nobody_has_set_the_parameter() {
     go_on(&mut other, [5.0]);
     set(&mut other, "b", 200.0);
     go_on(&mut other, [5.0]);
-    other.scrub(3.3);
+    other.change_run(|line, _| line.scrub(3.3));
     assert_eq!((play.course().time(), play.course().front()), (3.3, 10.0));
     assert_eq!((state(&play), bits(&play)), (state(&other), bits(&other)));
     assert_eq!(play.course().parameters()[parameter(&play, "b")], 70.0);
-    play.scrub(10.0);
+    play.change_run(|line, _| line.scrub(10.0));
     assert_eq!(play.course().parameters()[parameter(&play, "b")], 200.0);
     assert_eq!(play.course().parameters()[parameter(&play, "rho")], 13534.0);
     assert_eq!(play.share(), other.share().replace("&e=10&t=3.3", "&t=10"));
@@ -106,7 +106,7 @@ fn what_does_not_fit_any_more_is_dropped_and_named() {
         ("out of range", narrower.to_vec()),
     ] {
         let mut play = swinging();
-        play.scrub(7.0);
+        play.change_run(|line, _| line.scrub(7.0));
         set(&mut play, "g", 1.62);
         go_on(&mut play, [3.0]);
         play.replace_program(edited(&changes));
@@ -126,13 +126,13 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
     for method in ["rk4", "dormand-prince", "rosenbrock"] {
         let (mut play, mut other) = (utube(), fresh(&[quadratic]));
         for play in [&mut play, &mut other] {
-            play.set_method(method).unwrap();
-            play.set_step(0.04).unwrap();
-            play.set_speed(2.0);
+            play.change_settings(|settings| settings.set_method(method)).unwrap();
+            play.change_settings(|settings| settings.set_step(0.04)).unwrap();
+            play.change_run(|line, _| line.set_speed(2.0));
             go_on(play, [1.017]);
             set(play, "b", 3000.0);
-            play.play();
-            play.tick(1.0);
+            play.change_run(|line, _| line.play());
+            play.change_run(|line, _| line.tick(1.0));
         }
         assert_ne!(state(&play), state(&other));
         let old = play.plots_to_front().csv(PlotId::at(0));
@@ -148,7 +148,7 @@ fn with_another_equation_the_run_is_the_new_one_at_the_same_time_and_goes_on() {
         let all = play.plots_to_front().csv(PlotId::at(0));
         assert!(column(&all, 1).starts_with(&column(&old, 1)), "the ghost is the former run");
         for play in [&mut play, &mut other] {
-            play.tick(0.5);
+            play.change_run(|line, _| line.tick(0.5));
         }
         assert_eq!((play.course().time(), bits(&play)), (5.034, bits(&other)), "{method}");
     }
@@ -173,7 +173,7 @@ fn a_change_keeps_its_time_where_events_leave_other_rows() {
     run(&mut play);
     run(&mut other);
     assert_ne!(play.values().table_length(), other.values().table_length());
-    play.keep().unwrap();
+    play.change_run(|line, basis| line.keep(basis)).unwrap();
     play.replace_program(other.program().clone());
     assert_eq!((play.course().time(), bits(&play)), (other.course().time(), bits(&other)));
     assert_eq!(
@@ -186,7 +186,7 @@ fn a_change_keeps_its_time_where_events_leave_other_rows() {
 fn a_parameter_that_decides_an_initial_value_now_holds_from_the_start() {
     let start = ("y'(0) = v_0", "y'(0) = v_0 + b/(1000 [kg/m])");
     let mut play = swinging();
-    play.scrub(10.0);
+    play.change_run(|line, _| line.scrub(10.0));
     play.replace_program(edited(&[start]));
     let mut other = fresh(&[start]);
     set(&mut other, "b", 200.0);
@@ -198,27 +198,27 @@ fn a_parameter_that_decides_an_initial_value_now_holds_from_the_start() {
 fn a_start_set_by_hand_stays_while_the_states_are_the_same() {
     let equation = ("b*y'", "2*b*y'");
     let mut play = utube();
-    play.set_state(0, 0.3).unwrap();
+    play.change_settings(|settings| settings.set_state(0, 0.3)).unwrap();
     go_on(&mut play, [2.0]);
     play.replace_program(edited(&[equation]));
     let mut other = fresh(&[equation]);
-    other.set_state(0, 0.3).unwrap();
+    other.change_settings(|settings| settings.set_state(0, 0.3)).unwrap();
     go_on(&mut other, [2.0]);
-    assert!(play.is_started_by_hand() && dropped(&mut play).is_empty());
+    assert!(play.course().is_started_by_hand() && dropped(&mut play).is_empty());
     assert_eq!(bits(&play), bits(&other));
     // Without inertia there is no initial velocity.
     let source = "---\ntitle: Decay\n---\n```model\nparameter b = 2 [1/s]\ny' = -b*y\ny(0) = 1 [m]\n```\n";
-    play.set_state(1, 0.2).unwrap();
+    play.change_settings(|settings| settings.set_state(1, 0.2)).unwrap();
     let from = state(&play)[0];
     go_on(&mut play, [1.0]);
     play.replace_program(open(source, &[]).program().clone());
     assert!(dropped(&mut play).is_empty(), "the position is there still");
     assert!((state(&play)[0] / from - 0.135_335_283_236_612_7).abs() < 1e-6, "it has decayed for 1 s");
     let mut again = utube();
-    again.set_state(1, 0.2).unwrap();
+    again.change_settings(|settings| settings.set_state(1, 0.2)).unwrap();
     again.replace_program(open(&source.replace('y', "z"), &[]).program().clone());
     assert_eq!(dropped(&mut again), ["y(0) = 0.5 m", "y′(0) = 0.2 m/s"]);
-    assert!(!again.is_started_by_hand());
+    assert!(!again.course().is_started_by_hand());
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn no_document_costs_more_than_a_link() {
     let mut play = utube();
     go_on(&mut play, std::iter::repeat_n(50.0, 20));
     assert_eq!(play.course().time(), 1000.0);
-    play.play();
+    play.change_run(|line, _| line.play());
     // Ten thousand steps per second of model time, each with many operations.
     let long = ["b*y'", &"*cos(sin(y/(1 [m])))".repeat(20)].concat();
     play.replace_program(edited(&[("step: 0.05 [s]", "step: 0.0001 [s]"), ("b*y'", &long)]));
@@ -237,11 +237,11 @@ fn no_document_costs_more_than_a_link() {
     );
     assert_eq!(dropped(&mut play), ["the time 1000.00 s"]);
     let reached = play.course().time();
-    play.tick(0.001);
+    play.change_run(|line, _| line.tick(0.001));
     assert!(
         play.course().time() > reached,
         "{reached} {:?} {:?}",
-        play.time_line().status(play.basis()),
+        play.time_line().status(),
         play.time_line().problem(play.basis())
     );
 }
@@ -250,8 +250,8 @@ fn no_document_costs_more_than_a_link() {
 fn a_run_that_fails_stops_and_one_that_can_start_now_does() {
     let root = ("b*y'", "b*y'*sqrt(y/(1 [m]) + 0.2)");
     let mut play = utube();
-    play.play();
-    play.tick(4.0);
+    play.change_run(|line, _| line.play());
+    play.change_run(|line, _| line.tick(4.0));
     play.replace_program(edited(&[root]));
     assert!(
         !play.time_line().is_playing()

@@ -27,16 +27,16 @@ pub fn parameter(play: &Play, name: &str) -> usize {
 /// Sets a parameter to an SI value.
 pub fn set(play: &mut Play, name: &str, value: f64) {
     let index = parameter(play, name);
-    play.set_parameter(index, value).expect("the value is in the range");
+    play.change_settings(|settings| settings.set_parameter(index, value)).expect("the value is in the range");
 }
 
 /// Lets wall time pass in frames.
 pub fn go_on(play: &mut Play, frames: impl IntoIterator<Item = f64>) {
-    play.play();
+    play.change_run(|line, _| line.play());
     for seconds in frames {
-        play.tick(seconds);
+        play.change_run(|line, _| line.tick(seconds));
     }
-    play.pause();
+    play.change_run(|line, _| line.pause());
 }
 
 /// The states shown.

@@ -5,7 +5,7 @@ use crate::Basis;
 use program::{NodeId, Question};
 
 /// True if the answer to a question is the same expression as that of a former question.
-pub(super) fn asks_the_same((basis, index): (&Basis, usize), (before, former): (&Basis, usize), names: &Names) -> bool {
+pub(crate) fn asks_the_same((basis, index): (&Basis, usize), (before, former): (&Basis, usize), names: &Names) -> bool {
     let (Some(asked), Some(other)) = (basis.program().questions.get(index), before.program().questions.get(former))
     else {
         return false;

@@ -1,18 +1,14 @@
-//! Restores a state from the text written by [`Play::share`].
+//! Restores a state from the text written by [`crate::Play::share`].
 
-use super::share::MOST_CHANGES;
+use super::link::{VERSION, decode, encode};
 use crate::controls::button::read;
 use crate::controls::drawing;
-use crate::share::link::{VERSION, decode, encode};
 use crate::time::recipe::{Change, Moments, Recipe};
-use crate::{Announcement, Changes, MOST_KEPT, Play, Refusal};
+use crate::{Answers, Basis, Changes, MOST_KEPT, Plots, Refusal, TimeLine};
 use engine::Method;
 use figure::{Interval, View};
+use program::Seat;
 use units::number::compact as exact;
-
-/// Maximum work for all recomputed runs together, in floating-point operations. A link may come from a stranger, and
-/// the page is blocked meanwhile: about a second on a slow phone.
-pub(super) const MOST_WORK: u64 = 50_000_000;
 
 /// Maximum number of rows of a run in a link, because recording a row takes time.
 const MOST_ROWS: usize = 2_500_000;
@@ -20,94 +16,84 @@ const MOST_ROWS: usize = 2_500_000;
 /// Maximum number of omitted parts that a refusal names individually.
 const MOST_NAMED: usize = 12;
 
-impl Play {
-    /// Restores a state. Parts that do not fit the document are omitted and named in the refusal; the rest is applied.
-    ///
-    /// # Errors
-    ///
-    /// A text that is not a state, or parts that do not fit: an unknown key, a value out of range, too many kept runs,
-    /// a run that exceeds the work limit of a link.
-    pub fn restore(&mut self, fragment: &str) -> Result<(), Refusal> {
-        self.restore_within(fragment, MOST_CHANGES, &mut { MOST_WORK })
+/// Fields of a text written by [`crate::Play::share`]; `None` if it is empty.
+///
+/// # Errors
+///
+/// The text is not a state.
+pub(crate) fn fields(fragment: &str) -> Result<Option<Vec<&str>>, Refusal> {
+    let fragment = fragment.trim_start_matches('#');
+    if fragment.is_empty() {
+        return Ok(None);
     }
-
-    /// Restores a state with at most `most_changes` changes in each run, and the work limit `work` for all runs
-    /// together, in floating-point operations; it is reduced by the work done.
-    pub(super) fn restore_within(
-        &mut self,
-        fragment: &str,
-        most_changes: usize,
-        work: &mut u64,
-    ) -> Result<(), Refusal> {
-        let fragment = fragment.trim_start_matches('#');
-        if fragment.is_empty() {
-            return Ok(());
-        }
-        let mut fields = fragment.split('&');
-        if fields.next() != Some(VERSION) {
-            return Err(Refusal::UnreadableState);
-        }
-        let changes = self.line.set_speed(1.0);
-        self.note(changes);
-        let changes = self.plots.reset_all();
-        self.note(changes);
-        let fields: Vec<&str> = fields.collect();
-        self.restore_seat(&fields);
-        let mut reader = Reader { play: self, most_changes, left_out: Vec::new() };
-        let mut sections = fields.split(|field| *field == "k");
-        let present = reader.recipe(sections.next().unwrap_or_default());
-        // Limited before anything is computed: a link can name far more runs than can be kept.
-        let kept: Vec<Recipe> = sections.by_ref().take(MOST_KEPT).map(|section| reader.recipe(section)).collect();
-        let mut left_out = reader.left_out;
-        left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
-        self.adopt_drawings(&present.setup.drawings);
-        let (course, complete) = self.line.replay(&self.basis, &present, Moments::Rows, work);
-        if !complete {
-            left_out.push(format!("t={}", exact(present.front)));
-        }
-        self.stop();
-        self.controls.hold(None);
-        let changes = self.line.forget_runs();
-        self.note(changes);
-        self.replace_course(course);
-        for recipe in &kept {
-            let kept = self.line.keep_recipe(&self.basis, recipe, work);
-            self.note(kept.as_ref().map_or(Changes::NONE, |(_, changes)| *changes));
-            if !kept.is_ok_and(|(complete, _)| complete) {
-                left_out.push(format!("k, t={}", exact(recipe.front)));
-            }
-        }
-        self.announcements.clear();
-        self.announce(Announcement::Restored);
-        if left_out.len() > MOST_NAMED {
-            left_out.truncate(MOST_NAMED);
-            left_out.push("…".to_owned());
-        }
-        if left_out.is_empty() { Ok(()) } else { Err(Refusal::PartlyRestored { left_out }) }
-    }
+    let mut fields = fragment.split('&');
+    if fields.next() == Some(VERSION) { Ok(Some(fields.collect())) } else { Err(Refusal::UnreadableState) }
 }
 
-impl Play {
-    /// Takes the seat of a link before its other fields. A link without a seat leaves the present one.
-    fn restore_seat(&mut self, fields: &[&str]) {
-        let seat = fields.iter().find_map(|field| field.strip_prefix("seat=")?.parse().ok());
-        if seat.is_some() {
-            self.basis.set_seat(seat);
-        }
-    }
+/// Seat of a link; `None` if it leaves the present one.
+pub(crate) fn seat(fields: &[&str]) -> Option<Seat> {
+    fields.iter().find_map(|field| field.strip_prefix("seat=")?.parse().ok())
 }
 
 /// Parser of fields; collects the parts that do not fit.
-struct Reader<'a> {
-    play: &'a mut Play,
+pub(crate) struct Reader<'a> {
+    basis: &'a Basis,
+    line: &'a mut TimeLine,
+    plots: &'a mut Plots,
+    answers: &'a mut Answers,
+    changes: Changes,
+    /// Maximum number of changes in each run.
     most_changes: usize,
     left_out: Vec<String>,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    /// Reader that changes these parts of a simulation. A run has at most `most_changes` changes.
+    pub fn new(
+        basis: &'a Basis,
+        line: &'a mut TimeLine,
+        plots: &'a mut Plots,
+        answers: &'a mut Answers,
+        most_changes: usize,
+    ) -> Self {
+        Self { basis, line, plots, answers, changes: Changes::NONE, most_changes, left_out: Vec::new() }
+    }
+
+    /// Restores the state of these fields. Parts that do not fit the document are omitted and named in the refusal; the
+    /// rest is applied. `work` is the limit for all runs together, in floating-point operations; it is reduced by the
+    /// work done.
+    pub fn restore(mut self, fields: &[&str], work: &mut u64) -> (Result<(), Refusal>, Changes) {
+        self.changes |= Changes::RELEASED | self.line.set_speed(1.0) | self.plots.reset_all();
+        let mut sections = fields.split(|field| *field == "k");
+        let present = self.recipe(sections.next().unwrap_or_default());
+        // Limited before anything is computed: a link can name far more runs than can be kept.
+        let kept: Vec<Recipe> = sections.by_ref().take(MOST_KEPT).map(|section| self.recipe(section)).collect();
+        let Self { basis, line, mut changes, mut left_out, .. } = self;
+        left_out.extend(sections.map(|_| "k".to_owned()).take(MOST_NAMED + 1));
+        let (course, complete) = line.replay(basis, &present, Moments::Rows, work);
+        if !complete {
+            left_out.push(format!("t={}", exact(present.front)));
+        }
+        changes |= line.stop() | line.forget_runs() | line.replace(course);
+        for recipe in &kept {
+            let complete = line.keep_recipe(basis, recipe, work).map(|(complete, kept)| {
+                changes |= kept;
+                complete
+            });
+            if complete != Ok(true) {
+                left_out.push(format!("k, t={}", exact(recipe.front)));
+            }
+        }
+        if left_out.len() > MOST_NAMED {
+            left_out.truncate(MOST_NAMED);
+            left_out.push("…".to_owned());
+        }
+        (if left_out.is_empty() { Ok(()) } else { Err(Refusal::PartlyRestored { left_out }) }, changes)
+    }
+
     fn recipe(&mut self, fields: &[&str]) -> Recipe {
         let mut recipe =
-            Recipe { setup: self.play.basis.defaults().clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
+            Recipe { setup: self.basis.defaults().clone(), changes: Vec::new(), front: 0.0, time: f64::NAN };
         for field in fields {
             let (key, value) = field.split_once('=').unwrap_or((field, ""));
             if self.field(key, value, &mut recipe).is_none() {
@@ -133,16 +119,16 @@ impl Reader<'_> {
             "n" => {
                 let is_so = |pair: &str| {
                     let (name, value) = pair.split_once(':')?;
-                    let size = self.play.model().sizes.iter().find(|size| size.name == name)?;
+                    let size = self.basis.model().sizes.iter().find(|size| size.name == name)?;
                     (value.parse() == Ok(size.value)).then_some(())
                 };
                 return value.split(',').map(is_so).collect();
             }
             // Read first: the values of a recipe differ from those of the seat.
-            "seat" => return (self.play.program().seat == Some(value.parse().ok()?)).then_some(()),
+            "seat" => return (self.basis.program().seat == Some(value.parse().ok()?)).then_some(()),
             "y" => {
                 let start: Vec<f64> = value.split(',').map(number).collect::<Option<_>>()?;
-                if start.len() != self.play.model().states.len() {
+                if start.len() != self.basis.model().states.len() {
                     return None;
                 }
                 recipe.setup.start = Some(start);
@@ -150,10 +136,10 @@ impl Reader<'_> {
             "m" => recipe.setup.method = value.parse::<Method>().ok()?,
             "h" => recipe.setup.step = number(value).filter(|&step| step > 0.0)?,
             "a" => {
-                let (index, values) = drawing::read(self.play.model(), value)?;
+                let (index, values) = drawing::read(self.basis.model(), value)?;
                 *recipe.setup.drawings.get_mut(index)? = values;
             }
-            "b" => recipe.setup.presses = read(value, &self.play.model().buttons, encode)?,
+            "b" => recipe.setup.presses = read(value, &self.basis.model().buttons, encode)?,
             "c" => {
                 let (row, values) = value.split_once(',')?;
                 let row: usize = row.parse().ok()?;
@@ -171,17 +157,15 @@ impl Reader<'_> {
             }
             "e" => recipe.front = number(value).filter(|&time| time >= 0.0)?,
             "t" => recipe.time = number(value).filter(|&time| time >= 0.0)?,
-            "x" => self.play.set_speed(number(value)?),
-            "w" => self.play.show_hidden(true),
+            "x" => self.changes |= self.line.set_speed(number(value)?),
+            "w" => self.changes |= self.answers.show_hidden(true),
             "v" => {
                 let hidden = value.split(',').filter(|index| !index.is_empty()).map(|index| index.parse().ok());
-                let changes = self.play.plots.show_except(hidden)?;
-                self.play.note(changes);
+                self.changes |= self.plots.show_except(hidden)?;
             }
             "z" => {
                 let (index, limits) = value.split_once(',')?;
-                let changes = self.play.plots.set_view(index.parse().ok()?, view(limits)?)?;
-                self.play.note(changes);
+                self.changes |= self.plots.set_view(index.parse().ok()?, view(limits)?)?;
             }
             _ => return None,
         }
@@ -193,13 +177,13 @@ impl Reader<'_> {
         let mut parameters = before.to_vec();
         for text in values {
             let admitted = text.split_once(':').and_then(|(name, value)| {
-                let index = self.play.model().parameters.iter().position(|parameter| parameter.name == name)?;
-                let parameter = self.play.model().parameters.get(index)?;
+                let index = self.basis.model().parameters.iter().position(|parameter| parameter.name == name)?;
+                let parameter = self.basis.model().parameters.get(index)?;
                 let value = match parameter.choices {
                     program::Choices::Numbers | program::Choices::Seed => number(value)?,
-                    _ => parameter.chosen(&decode(value)?, &self.play.model().texts)?,
+                    _ => parameter.chosen(&decode(value)?, &self.basis.model().texts)?,
                 };
-                Some((index, self.play.basis.admit(index, value).ok()?))
+                Some((index, self.basis.admit(index, value).ok()?))
             });
             match admitted.and_then(|(index, value)| parameters.get_mut(index).zip(Some(value))) {
                 Some((parameter, value)) => *parameter = value,
@@ -235,7 +219,9 @@ fn number(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST_CHANGES, MOST_NAMED, MOST_WORK};
+    use super::MOST_NAMED;
+    use crate::share::state::MOST_CHANGES;
+    use crate::time::recipe::MOST_WORK;
     use crate::{MOST_KEPT, Play, Refusal};
 
     fn opened() -> Play {

@@ -4,7 +4,7 @@ use program::{Model, Node};
 
 /// Maps indices of a model to indices of the model that replaces it.
 #[derive(Debug)]
-pub(super) struct Names {
+pub(crate) struct Names {
     parameters: Vec<Option<usize>>,
     states: Vec<Option<usize>>,
     /// True if the independent variable has the same dimension.

@@ -1,11 +1,11 @@
-//! Storage of the last removal for undo.
+//! Storage of the last removal for undo, and the numbers of all.
 
 use crate::time::kept::{Ghost, Kept};
 use engine::Setup;
 
 /// Content of the last removal. A kept run comes with its position in the list.
 #[derive(Debug)]
-pub(super) enum Removed {
+pub(crate) enum Removed {
     Run(usize, Kept),
     Ghost(Ghost),
     /// Former values of the parameters, SI.
@@ -14,17 +14,17 @@ pub(super) enum Removed {
     Start(Setup),
 }
 
-/// The last removal.
+/// Numbers of the removals here and in other components, and the last one if it was here.
 #[derive(Debug, Default)]
-pub(super) struct Undo {
+pub struct Removals {
     /// Number of removals so far; identifies the last one.
     count: u32,
     last: Option<Removed>,
 }
 
-impl Undo {
+impl Removals {
     /// State after `count` removals, none of which can be undone here.
-    pub fn after(count: u32) -> Self {
+    pub(crate) fn after(count: u32) -> Self {
         Self { count, last: None }
     }
 
@@ -33,24 +33,24 @@ impl Undo {
         self.count
     }
 
-    /// Number of the last removal, if it can be undone.
+    /// Number of the last removal, if it can be undone here.
     pub fn number(&self) -> Option<u32> {
         self.last.as_ref().map(|_| self.count)
     }
 
     /// Stores a removal, replacing the previous one.
-    pub fn remember(&mut self, removed: Removed) {
+    pub(crate) fn remember(&mut self, removed: Removed) {
         self.count += 1;
         self.last = Some(removed);
     }
 
     /// Removes and returns the removal with this number, if it is the last one.
-    pub fn take(&mut self, number: u32) -> Option<Removed> {
+    pub(crate) fn take(&mut self, number: u32) -> Option<Removed> {
         self.last.take_if(|_| self.count == number)
     }
 
     /// Discards the last removal, so that it cannot be undone.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.last = None;
     }
 }

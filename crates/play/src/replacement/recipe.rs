@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 impl Basis {
     /// Converts a recipe to this program. Returns also what does not fit, in the chosen language. The changes of the
     /// result must be located by their times. `time_shown` is the text of the time shown by the former program.
-    pub(super) fn translated(
+    pub(crate) fn translated(
         &self,
         recipe: &Recipe,
         before: &Basis,

@@ -21,22 +21,22 @@
 //! | `v` | plots not shown: `0,2` |
 //! | `z` | zoom of a plot, once for each: the plot, then the limits of the horizontal axis (empty if automatic) and of each vertical one: `0,1:2.5,-3:3` |
 
-use crate::Play;
 use crate::controls::button::written;
 use crate::controls::drawing;
 use crate::share::link::{VERSION, encode};
 use crate::time::recipe::{Change, Recipe};
+use crate::{Answers, Basis, Plots, TimeLine};
 use engine::Setup;
 use figure::{Interval, View};
 use units::number::compact as exact;
 
 /// Maximum number of parameter changes in a link. With more, the run of the link begins at the state shown.
-pub(super) const MOST_CHANGES: usize = 300;
+pub(crate) const MOST_CHANGES: usize = 300;
 
 /// Parts of the state in a text that must be short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
-    /// All of it, with any number of changes during the run: for [`Play::pass_on`].
+    /// All of it, with any number of changes during the run: for [`crate::Play::pass_on`].
     Exact,
     /// All of it, as far as a link has room.
     Whole,
@@ -44,41 +44,56 @@ pub enum Extent {
     WithoutKept,
     /// Without the kept runs and without what was changed on the way: the run begins at the state shown.
     Moment,
+    /// A run from time 0 with the present parameters, without what was changed on the way and without the view.
+    Start,
 }
 
-impl Play {
-    /// Differences from the freshly opened document, as text for the fragment of a URL; empty if there are none.
-    pub fn share(&self) -> String {
-        self.share_within(Extent::Whole)
-    }
+/// The parts of the state that a link contains.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct State<'a> {
+    pub basis: &'a Basis,
+    pub line: &'a TimeLine,
+    pub plots: &'a Plots,
+    pub answers: &'a Answers,
+}
 
-    /// [`Self::share`] with a part of the state.
-    pub fn share_within(&self, extent: Extent) -> String {
-        let mut fields: Vec<String> = Vec::new();
-        let mut recipe = self.course().recipe();
+impl State<'_> {
+    /// Differences from the freshly opened document; see [`crate::Play::share`].
+    pub fn text(&self, extent: Extent) -> String {
+        let (course, mut fields) = (self.line.course(), Vec::new());
+        let mut recipe = course.recipe();
         let changed = !(recipe.changes.is_empty() && recipe.setup.presses.is_empty());
         let begins_now = match extent {
-            Extent::Exact => false,
+            Extent::Exact | Extent::Start => false,
             Extent::Moment => changed,
-            _ => recipe.changes.len() > MOST_CHANGES,
+            Extent::Whole | Extent::WithoutKept => recipe.changes.len() > MOST_CHANGES,
         };
-        if begins_now && self.course().state().iter().all(|value| value.is_finite()) {
-            let parameters = self.course().parameters().to_vec();
-            let start = Some(self.course().state().to_vec());
-            recipe = Recipe {
-                setup: Setup { parameters, start, presses: Vec::new(), ..recipe.setup },
-                changes: Vec::new(),
-                front: 0.0,
-                time: 0.0,
-            };
+        let begins_now = begins_now && course.state().iter().all(|value| value.is_finite());
+        if begins_now || extent == Extent::Start {
+            let start = if begins_now { Some(course.state().to_vec()) } else { recipe.setup.start };
+            let parameters = course.parameters().to_vec();
+            let setup = Setup { parameters, start, presses: Vec::new(), ..recipe.setup };
+            recipe = Recipe { setup, changes: Vec::new(), front: 0.0, time: 0.0 };
         }
-        let sizes = self.model().sizes.iter().filter(|size| size.value != size.stated);
+        let sizes = self.basis.model().sizes.iter().filter(|size| size.value != size.stated);
         let sizes: Vec<String> = sizes.map(|size| format!("{}:{}", size.name, size.value)).collect();
         if !sizes.is_empty() {
             fields.push(format!("n={}", sizes.join(",")));
         }
-        fields.extend(self.program().seat.map(|seat| format!("seat={}", seat.number())));
+        fields.extend(self.basis.program().seat.map(|seat| format!("seat={}", seat.number())));
         self.write_recipe(&recipe, &mut fields);
+        if extent != Extent::Start {
+            self.write_view(&mut fields);
+        }
+        for recipe in self.line.kept_recipes().filter(|_| matches!(extent, Extent::Whole | Extent::Exact)) {
+            fields.push("k".to_owned());
+            self.write_recipe(recipe, &mut fields);
+        }
+        if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
+    }
+
+    /// Writes what decides how the run is shown.
+    fn write_view(&self, fields: &mut Vec<String>) {
         if self.answers.shows_hidden() {
             fields.push("w".to_owned());
         }
@@ -94,23 +109,6 @@ impl Play {
         for (index, view) in self.plots.zoomed().filter(|(index, _)| *index < documents) {
             fields.push(format!("z={index},{}", limits(view)));
         }
-        for recipe in self.line.kept_recipes().filter(|_| matches!(extent, Extent::Whole | Extent::Exact)) {
-            fields.push("k".to_owned());
-            self.write_recipe(recipe, &mut fields);
-        }
-        if fields.is_empty() { String::new() } else { format!("{VERSION}&{}", fields.join("&")) }
-    }
-
-    /// Parts of the state that a link does not contain, in the chosen language.
-    pub fn missing_in_link(&self) -> Vec<&'static str> {
-        let language = self.basis.language();
-        [
-            (!self.answers.saved(&self.basis).is_empty(), language.say("answers")),
-            (self.course().recipe().changes.len() > MOST_CHANGES, language.say("the run before the moment shown")),
-        ]
-        .into_iter()
-        .filter_map(|(missing, name)| missing.then_some(name))
-        .collect()
     }
 
     fn write_recipe(&self, recipe: &Recipe, fields: &mut Vec<String>) {
@@ -129,10 +127,10 @@ impl Play {
         if setup.step != self.basis.defaults().step {
             fields.push(format!("h={}", exact(setup.step)));
         }
-        let drawn = drawing::written(self.model(), &setup.drawings, &self.basis.defaults().drawings);
+        let drawn = drawing::written(self.basis.model(), &setup.drawings, &self.basis.defaults().drawings);
         fields.extend(drawn.into_iter().map(|curve| format!("a={curve}")));
         if !setup.presses.is_empty() {
-            fields.push(format!("b={}", written(&setup.presses, &self.model().buttons, encode)));
+            fields.push(format!("b={}", written(&setup.presses, &self.basis.model().buttons, encode)));
         }
         let mut before = &setup.parameters;
         for Change { row, parameters, .. } in &recipe.changes {
@@ -149,9 +147,9 @@ impl Play {
 
     /// Entries such as `b:200` for each parameter that differs.
     fn differing(&self, from: &[f64], to: &[f64]) -> Vec<String> {
-        let values = self.model().parameters.iter().zip(from.iter().zip(to));
+        let values = self.basis.model().parameters.iter().zip(from.iter().zip(to));
         let differing = values.filter(|(parameter, (from, to))| parameter.is_shown() && from.to_bits() != to.to_bits());
-        let texts = &self.model().texts;
+        let texts = &self.basis.model().texts;
         let written = |(parameter, (_, to)): (&program::Parameter, (&f64, &f64))| {
             let value = parameter.word(*to, texts).map_or_else(|| exact(*to), encode);
             format!("{}:{value}", parameter.name)

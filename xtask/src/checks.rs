@@ -1,7 +1,7 @@
 //! All checks of the project, ordered so that quick ones fail first and nothing is built twice.
 
 use crate::steps::{cargo, run, step};
-use crate::{golden, page, steps, tools};
+use crate::{golden, page, python, steps, tools};
 use anyhow::Result;
 
 /// Runs all checks. Stops at the first failure.
@@ -19,6 +19,7 @@ pub fn all() -> Result<()> {
 /// Runs all checks, and then the long ones, whose short forms are among them.
 pub fn full() -> Result<()> {
     all()?;
+    step("the Python package", python::test)?;
     step("the class server under load and killed", || {
         let server = ["test", "--release", "--package", "server", "--test", "all", "--"];
         // One after the other, so that the durations that they print are their own.
@@ -31,7 +32,8 @@ fn tests() -> Result<()> {
     // Tested separately, as it was built to run this: in a common build its dependencies would get other features and
     // be built twice.
     run(&mut cargo(&["test", "--package", "xtask"]))?;
-    let mut workspace = cargo(&["test", "--workspace", "--exclude", "lab", "--exclude", "xtask"]);
+    let mut workspace =
+        cargo(&["test", "--workspace", "--exclude", "lab", "--exclude", "python", "--exclude", "xtask"]);
     // Generated cases are the same in each check, so that a change is judged by what it changed. `cargo test` draws others.
     run(workspace.env("PROPTEST_RNG_SEED", "1"))
 }
@@ -45,6 +47,7 @@ fn postgres() -> Result<()> {
 fn lints() -> Result<()> {
     const STRICT: [&str; 3] = ["--", "-D", "warnings"];
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
+    run(cargo(&["clippy", "--package", "python"]).args(STRICT))?;
     tools::wasm_target()?;
     let browser = ["clippy", "--package", "lab", "--package", "probe"];
     run(cargo(&browser).args(["--target", tools::TARGET]).args(STRICT))

@@ -5,6 +5,7 @@ mod checks;
 mod editor;
 mod golden;
 mod page;
+mod python;
 mod ratios;
 mod steps;
 mod texts;
@@ -19,7 +20,7 @@ const HELP: &str = "\
 cargo xtask lab     build the page and open the laboratory in the browser; `lab DOC` builds the program, too, and serves DOC
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
-                    also the long ones: the class server under load and killed
+                    also the long ones: the class server under load and killed, the Python package
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
                     a fifth below those of xtask/ratios.txt; `bench commit` writes that file

@@ -31,6 +31,15 @@ pub fn node() -> Result<PathBuf> {
     }
 }
 
+/// Path of Python, at least version 3.10.
+pub fn python() -> Result<PathBuf> {
+    const HOW: &str = "the tests of the Python package need Python 3.10 or later: https://www.python.org";
+    let python = find("python3").or_else(|| find("python")).context(HOW)?;
+    let is_new = ["-c", "import sys; sys.exit(sys.version_info < (3, 10))"];
+    steps::run(Command::new(&python).args(is_new)).context(HOW)?;
+    Ok(python)
+}
+
 /// Installs the packages of a folder with a `package-lock.json`, exactly as locked. Does nothing if they are already
 /// installed. Scripts of packages are not run.
 pub fn packages(directory: &Path) -> Result<()> {

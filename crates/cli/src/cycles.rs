@@ -4,9 +4,7 @@ mod figure;
 mod record;
 mod text;
 
-use crate::arguments::variable::Stated;
 use crate::arguments::{Cycles, CyclesFormat};
-use crate::columns;
 use crate::data;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
@@ -14,6 +12,7 @@ use crate::terminal::output;
 use analysis::csv::{self, Dialect};
 use analysis::cycles;
 use record::{Record, record};
+use runner::records::{Stated, columns_as_json, columns_as_text};
 use serde_json::json;
 use units::Language;
 
@@ -34,7 +33,7 @@ pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
     // CSV and SVG cannot contain these notes.
     if matches!(format, CyclesFormat::Csv | CyclesFormat::Svg) {
-        terminal.print(&columns::as_text(&data));
+        terminal.print(&columns_as_text(&data));
         for finding in &data.findings {
             terminal.note(finding);
         }
@@ -83,7 +82,7 @@ fn as_json(record: &Record) -> String {
         "time_unit": "s",
         "rows": record.times.len(),
         "findings": findings,
-        "columns": columns::as_json(record.data),
+        "columns": columns_as_json(record.data),
         "cycles": cycles,
         "lost_from": record.found.lost,
         "sinusoidal": record.found.sinusoidal,

@@ -1,9 +1,6 @@
 //! `meniscus derivatives`: velocity and acceleration computed from a measured column.
 
-use crate::arguments::assignments::Observe;
-use crate::arguments::variable::Stated;
 use crate::arguments::{Derivatives, Difference};
-use crate::columns;
 use crate::data;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
@@ -11,6 +8,8 @@ use crate::terminal::output;
 use analysis::csv::{self, Dialect};
 use analysis::derivative::{self, Differentiation};
 use analysis::smoothing::WIDEST;
+use runner::names::Observe;
+use runner::records::{Stated, columns_as_text};
 use units::Unit;
 
 /// Reads the data, differentiates the column and writes a table.
@@ -62,7 +61,7 @@ pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     let dialect = if arguments.decimal_comma { Dialect::Semicolons } else { Dialect::Commas };
     let text = csv::write(&heads.each_ref().map(String::as_str), &[times, &level, &first, &second], dialect);
     output::deliver(arguments.output.as_deref(), std::slice::from_ref(&arguments.data), text.as_bytes())?;
-    terminal.print(&columns::as_text(&data));
+    terminal.print(&columns_as_text(&data));
     for finding in &data.findings {
         terminal.note(finding);
     }

@@ -2,11 +2,12 @@
 
 use crate::arguments::{Export, Platform};
 use crate::failure::Failure;
-use crate::load::{self, Loaded};
+use crate::load;
 use crate::page;
 use crate::terminal::Terminal;
 use crate::terminal::output::Output;
 use class::course::{Kind, package};
+use runner::Loaded;
 use std::io::Write;
 
 /// Writes the page. Refuses a document with errors.

@@ -1,275 +1,44 @@
-//! Reading of documents: a base document with its translations, or the sources inside an exported page or a project.
+//! Documents from files and from the standard input.
 
 use crate::failure::Failure;
-use crate::terminal::quoted::quoted;
-use document::Opened;
-use document::page::{Source, read};
-use model::Severity;
-use saved::project::{PROJECT_ENDING, Project};
-use std::io::Read;
-use std::path::{Path, PathBuf};
-use units::words;
+use runner::{Files, Sources, decoded};
+use std::io::{self, Read};
+use std::path::Path;
 
-/// Texts of a document: the base first, then its translations.
-#[derive(Debug)]
-pub struct Sources {
-    files: Vec<File>,
-}
+/// The files of this computer.
+pub struct Disk;
 
-#[derive(Debug)]
-struct File {
-    /// Name for messages.
-    path: PathBuf,
-    /// Name in an exported page.
-    name: String,
-    text: String,
-}
-
-impl Sources {
-    /// A text without a file.
-    pub fn of_text(name: &str, text: &str) -> Self {
-        Self { files: vec![File { path: name.into(), name: name.to_owned(), text: text.to_owned() }] }
+impl Files for Disk {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        std::fs::read(path)
     }
 
-    /// Path of the base document, for messages.
-    pub fn path(&self) -> &Path {
-        self.file_path(0)
+    fn is_folder(&self, path: &Path) -> bool {
+        path.is_dir()
     }
 
-    /// Path of the file with the index that a finding states.
-    pub fn file_path(&self, index: usize) -> &Path {
-        self.files.get(index).map_or(Path::new(""), |file| &file.path)
-    }
-
-    /// Paths and texts, base first.
-    pub fn texts(&self) -> impl Iterator<Item = (&Path, &str)> {
-        self.files.iter().map(|file| (file.path.as_path(), file.text.as_str()))
-    }
-
-    /// Files in the form in which an exported page contains them.
-    pub fn embedded(&self) -> Vec<Source> {
-        self.files.iter().map(|file| Source { name: file.name.clone(), text: file.text.clone() }).collect()
-    }
-
-    /// True if writing to `path` would overwrite one of the files.
-    pub fn contains(&self, path: &Path) -> bool {
-        let Ok(path) = path.canonicalize() else {
-            return false;
-        };
-        self.files.iter().any(|file| file.path.canonicalize().is_ok_and(|own| own == path))
-    }
-
-    /// The base without its translations.
-    pub fn without_translations(mut self) -> Self {
-        self.files.truncate(1);
-        self
+    fn names(&self, folder: &Path) -> Vec<String> {
+        let entries = std::fs::read_dir(folder).into_iter().flatten();
+        entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect()
     }
 }
 
-/// Sources and the document parsed from them.
-#[derive(Debug)]
-pub struct Loaded {
-    /// The texts.
-    pub sources: Sources,
-    /// The document and its findings.
-    pub opened: Opened,
-}
-
-impl Loaded {
-    /// Opens the sources as a document.
-    pub fn open(sources: Sources) -> Self {
-        let mut texts = sources.files.iter().map(|file| file.text.as_str());
-        let base = texts.next().unwrap_or_default();
-        let opened = document::open(base, &texts.collect::<Vec<_>>());
-        Self { sources, opened }
+/// Texts of the document at `path` with its translations; `-` is the standard input.
+pub fn sources(path: &Path) -> Result<Sources, Failure> {
+    if path == Path::new("-") {
+        return Ok(Sources::of_input(&standard_input()?));
     }
-
-    /// Number of errors.
-    pub fn errors(&self) -> usize {
-        self.opened.diagnostics.iter().filter(|(_, diagnostic)| diagnostic.severity == Severity::Error).count()
-    }
+    Ok(runner::sources(&Disk, path)?)
 }
 
 /// Text of one file; `-` is the standard input.
 pub fn text_of(path: &Path) -> Result<String, Failure> {
-    if is_page(path) || is_project(path) {
-        return Err(Failure::with_hint(
-            format!("{} holds a document and is none itself", path.display()),
-            "open it in the laboratory and save its document",
-        ));
-    }
-    if path == Path::new("-") { standard_input() } else { read_text(path) }
-}
-
-/// Reads the files of the document at `path`. `-` is the standard input. A page or a project gives the sources inside
-/// it. For a translation, its base is read; for a base, its translations.
-pub fn sources(path: &Path) -> Result<Sources, Failure> {
-    if path == Path::new("-") {
-        let text = standard_input()?;
-        return Ok(Sources { files: vec![File { path: "<stdin>".into(), name: "document.md".to_owned(), text }] });
-    }
-    let text = read_text(path)?;
-    if is_page(path) {
-        return inside_page(path, &text);
-    }
-    if is_project(path) {
-        return inside_project(path, &text);
-    }
-    let Some(name) = document::translates(&text) else {
-        return with_translations(path, text, None);
-    };
-    let base = path.with_file_name(&name);
-    let text = read_text(&base).map_err(|failure| match failure {
-        Failure::Request { message, .. } => Failure::with_hint(
-            message.english(),
-            format!("{} is a translation and says `translates: {name}`", path.display()),
-        ),
-        other => other,
-    })?;
-    with_translations(&base, text, Some(path))
-}
-
-/// The base and every `NAME.LANGUAGE.md` beside its `NAME.md`, in the order of their names, and `asked`, under any
-/// name.
-fn with_translations(base: &Path, text: String, asked: Option<&Path>) -> Result<Sources, Failure> {
-    let mut paths = siblings(base);
-    if let Some(asked) = asked.filter(|asked| !paths.iter().any(|path| path.as_path() == *asked)) {
-        paths.push(asked.to_owned());
-    }
-    let mut files = vec![file(base, text)];
-    for path in paths {
-        let text = read_text(&path)?;
-        files.push(file(&path, text));
-    }
-    Ok(Sources { files })
-}
-
-fn file(path: &Path, text: String) -> File {
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    File { path: path.to_owned(), name, text }
-}
-
-fn siblings(base: &Path) -> Vec<PathBuf> {
-    let Some(stem) = base.file_stem().and_then(|stem| stem.to_str()) else {
-        return Vec::new();
-    };
-    let directory = base.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let Ok(entries) = std::fs::read_dir(directory) else {
-        return Vec::new();
-    };
-    let mut names: Vec<String> = entries
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .filter(|name| language_of(name, stem).is_some())
-        .collect();
-    names.sort();
-    names.into_iter().map(|name| base.with_file_name(name)).collect()
-}
-
-/// Language in a file name: `es` of `utube.es.md` for the stem `utube`.
-fn language_of<'a>(name: &'a str, stem: &str) -> Option<&'a str> {
-    let language = name.strip_prefix(stem)?.strip_prefix('.')?.strip_suffix(".md")?;
-    let primary = language.split('-').next()?;
-    let letters = |text: &str| text.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
-    ((2..=3).contains(&primary.len()) && primary.chars().all(|letter| letter.is_ascii_lowercase()) && letters(language))
-        .then_some(language)
-}
-
-fn is_project(path: &Path) -> bool {
-    path.to_string_lossy().to_lowercase().ends_with(PROJECT_ENDING)
-}
-
-fn is_page(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html") || ending.eq_ignore_ascii_case("htm"))
-}
-
-fn inside_page(path: &Path, page: &str) -> Result<Sources, Failure> {
-    let sources = read(page).filter(|sources| !sources.is_empty());
-    let sources =
-        sources.ok_or_else(|| Failure::request(format!("{} is a page without a document inside", path.display())))?;
-    Ok(inside(path, sources))
-}
-
-fn inside_project(path: &Path, text: &str) -> Result<Sources, Failure> {
-    let project = Project::read(text).map_err(|error| Failure::about(path, &error.words()))?;
-    Ok(inside(path, project.documents))
-}
-
-/// Sources inside another file.
-fn inside(path: &Path, sources: Vec<Source>) -> Sources {
-    let files = sources.into_iter().map(|source| File {
-        path: format!("{}:{}", path.display(), source.name).into(),
-        name: source.name,
-        text: source.text,
-    });
-    Sources { files: files.collect() }
-}
-
-fn read_text(path: &Path) -> Result<String, Failure> {
-    if path.is_dir() {
-        return Err(folder(path));
-    }
-    let bytes = std::fs::read(path).map_err(|error| Failure::file("read", path, &error))?;
-    text(bytes, &path.display().to_string())
-}
-
-/// Error for a folder in place of a document. The hint names a document in it.
-fn folder(path: &Path) -> Failure {
-    let entries = std::fs::read_dir(path).into_iter().flatten();
-    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    // Names of translations contain a dot before their language.
-    let document = names.filter(|name| name.strip_suffix(".md").is_some_and(|stem| !stem.contains('.'))).min();
-    let (name, shown) = (path.display(), quoted(path));
-    let hint = match document {
-        Some(document) => {
-            let document = quoted(path.join(document));
-            words!("name a document in it, such as {document}; `meniscus check {shown}/*.md` checks all of them")
-        }
-        None => words!("it has no documents, `*.md`; `meniscus new {shown}` begins one"),
-    };
-    Failure::in_words(words!("{name} is a folder, not a document"), hint)
+    if path == Path::new("-") { standard_input() } else { Ok(runner::text_of(&Disk, path)?) }
 }
 
 fn standard_input() -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    let read = std::io::stdin().lock().read_to_end(&mut bytes);
+    let read = io::stdin().lock().read_to_end(&mut bytes);
     read.map_err(|error| Failure::file("read", Path::new("the standard input"), &error))?;
-    text(bytes, "the standard input")
-}
-
-/// Decodes UTF-8 and removes the byte-order mark that some editors write.
-fn text(bytes: Vec<u8>, name: &str) -> Result<String, Failure> {
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let line =
-            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
-        Failure::with_hint(format!("{name} is not text in UTF-8 (line {line})"), "save it as UTF-8")
-    })?;
-    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn translations_are_known_by_their_names() {
-        assert_eq!(language_of("utube.es.md", "utube"), Some("es"));
-        assert_eq!(language_of("utube.pt-BR.md", "utube"), Some("pt-BR"));
-        for other in ["utube.md", "utube2.es.md", "utube.notes.md", "utube.es.md~", "utube.es.txt", "utube.old.copy.md"]
-        {
-            assert_eq!(language_of(other, "utube"), None, "{other}");
-        }
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_no_text() {
-        assert_eq!(text(b"\xef\xbb\xbf# A".to_vec(), "a.md").ok(), Some("# A".to_owned()));
-    }
-
-    #[test]
-    fn other_encodings_are_named_with_their_line() {
-        let Err(Failure::Request { message, .. }) = text(b"one\nse\xf1or".to_vec(), "a.md") else {
-            panic!("it was read")
-        };
-        assert_eq!(message.english(), "a.md is not text in UTF-8 (line 2)");
-    }
+    Ok(decoded(bytes, "the standard input")?)
 }

@@ -4,7 +4,6 @@ mod arguments;
 mod authoring;
 mod check;
 mod class;
-mod columns;
 mod command;
 mod cycles;
 mod data;
@@ -62,9 +61,15 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            if let Failure::Request { message, hint } = &failure {
-                let language = terminal.language;
-                terminal.error(&message.text(language), hint.as_ref().map(|hint| hint.text(language)).as_deref());
+            let language = terminal.language;
+            match &failure {
+                Failure::Request { message, hint } => {
+                    terminal.error(&message.text(language), hint.as_ref().map(|hint| hint.text(language)).as_deref());
+                }
+                Failure::Expression { source, found } => {
+                    found.iter().for_each(|diagnostic| terminal.report_one(source, diagnostic));
+                }
+                Failure::Document | Failure::Argument | Failure::OutputClosed => {}
             }
             ExitCode::from(failure.exit_code())
         }

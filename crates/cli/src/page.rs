@@ -1,11 +1,11 @@
 //! Pages of the laboratory and of the player, which are embedded in the program if they were built before it.
 
 use crate::failure::Failure;
-use crate::load::Sources;
 use document::Document;
 use document::page::{Options, Source, embed};
 use flate2::{Compression, write::GzEncoder};
 use program::{Program, bundle};
+use runner::Sources;
 use std::io::Write as _;
 
 #[cfg(page_inside)]

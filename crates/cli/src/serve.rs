@@ -2,7 +2,7 @@
 
 use crate::arguments::Serve;
 use crate::failure::Failure;
-use crate::load::{self, Loaded};
+use crate::load;
 use crate::page;
 use crate::terminal::Terminal;
 use axum::Router;
@@ -15,6 +15,7 @@ use document::page::{POLICY, write_list};
 use hyper::server::conn::http1;
 use hyper_util::rt::TokioIo;
 use hyper_util::service::TowerToHyperService;
+use runner::Loaded;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};

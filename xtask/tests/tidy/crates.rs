@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 24] = [
+const ARROWS: [(&str, &[&str]); 25] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
@@ -12,7 +12,8 @@ const ARROWS: [(&str, &[&str]); 24] = [
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
-    ("runner", &["engine", "program", "units"]),
+    // It opens documents and projects, reads records, and says what a fit has found as report pages do.
+    ("runner", &["analysis", "document", "engine", "model", "program", "report", "saved", "units"]),
     ("emit", &["engine", "program"]),
     ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
@@ -27,6 +28,7 @@ const ARROWS: [(&str, &[&str]); 24] = [
     ),
     ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
     ("server", &["saved", "units"]),
+    ("python", &["analysis", "document", "engine", "model", "program", "runner", "units"]),
     ("probe", &["analysis", "document", "engine", "figure", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),

@@ -1,10 +1,6 @@
 //! Arguments of the command line.
 
-pub(crate) mod assignments;
-pub(crate) mod limits;
 pub(crate) mod run_settings;
-pub(crate) mod settings;
-pub(crate) mod variable;
 
 use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
 use crate::class::arguments::Class;
@@ -12,9 +8,9 @@ use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
 use crate::sweep::arguments::{SWEEP_EXAMPLES, Sweep};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
-use assignments::{Assignment, Observe, assignment, observe};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use run_settings::RunSettings;
+use runner::names::{Assignment, Observe, assignment, observe};
 use std::path::PathBuf;
 use units::Language;
 

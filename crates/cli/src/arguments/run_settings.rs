@@ -1,11 +1,12 @@
 //! Settings of a run on the command line.
 
-use super::assignments::{Assignment, assignment, press, seat};
 use clap::Args;
 use program::Seat;
+use runner::Settings;
+use runner::names::{Assignment, assignment, press, seat};
 
 /// Settings of a run.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct RunSettings {
     /// Take the assigned values of this seat
     #[arg(long, value_name = "N", value_parser = seat)]
@@ -46,4 +47,21 @@ pub struct RunSettings {
     /// End of the run [default: the document's, or 100 s]
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
+}
+
+impl From<&RunSettings> for Settings {
+    fn from(arguments: &RunSettings) -> Self {
+        let arguments = arguments.clone();
+        Self {
+            seat: arguments.seat,
+            set: arguments.set,
+            start: arguments.start,
+            preset: arguments.preset,
+            press: arguments.press,
+            method: arguments.method,
+            step: arguments.step,
+            tolerance: arguments.tolerance,
+            until: arguments.until,
+        }
+    }
 }

@@ -2,11 +2,12 @@
 
 use super::arguments::Format;
 use crate::failure::Failure;
-use crate::load::{Sources, text_of};
+use crate::load::text_of;
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use document::{edit, read};
 use model::Diagnostic;
+use runner::Sources;
 use std::path::Path;
 use units::{say, words};
 

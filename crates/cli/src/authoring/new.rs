@@ -3,8 +3,8 @@
 use super::arguments::New;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
-use crate::terminal::quoted::quoted;
 use document::TEMPLATES;
+use runner::quoted;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::Path;

@@ -4,11 +4,12 @@ mod claims;
 
 use crate::arguments::{Check, Findings};
 use crate::failure::Failure;
-use crate::load::{self, Loaded};
+use crate::load;
 use crate::terminal::output::Output;
 use crate::terminal::visible::visible;
 use crate::terminal::{Terminal, findings_as_json, findings_as_text};
 use claims::Claims;
+use runner::Loaded;
 use std::io::Write;
 use std::path::PathBuf;
 use units::{Language, say};

@@ -1,14 +1,14 @@
 //! `meniscus class assign`: assigned values and right answers, seat by seat.
 
 use super::arguments::{Assign, ListFormat};
-use super::seat::no_seats;
 use crate::failure::Failure;
-use crate::load::{self, Loaded};
+use crate::load;
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use analysis::csv::{self, Dialect};
 use engine::checks;
 use program::Program;
+use runner::Loaded;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use units::number::{Style, plain, shortest};
@@ -34,7 +34,7 @@ pub fn assign(arguments: &Assign, terminal: Terminal) -> Result<(), Failure> {
     let Some(document) = loaded.opened.document.filter(|_| !refused) else { return Err(Failure::Document) };
     let mut program = document.program;
     if !program.has_seats() {
-        return Err(no_seats());
+        return Err(runner::no_seats().into());
     }
     let equal = equal_seats(&program.assigned_values(arguments.seats));
     let columns = columns(&mut program, arguments.seats, terminal.language);

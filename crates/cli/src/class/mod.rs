@@ -3,7 +3,6 @@
 pub mod arguments;
 mod assign;
 mod report;
-mod seat;
 mod server;
 mod server_arguments;
 mod survey;
@@ -11,8 +10,6 @@ mod survey;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
 use arguments::Class;
-
-pub use seat::take_seat;
 
 /// Runs one of the commands.
 pub fn run(class: &Class, terminal: Terminal) -> Result<(), Failure> {

@@ -2,10 +2,11 @@
 
 use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, Restore, ServeClass, StorePlace};
 use crate::failure::Failure;
-use crate::load::{self, Loaded};
+use crate::load;
 use crate::page;
 use crate::terminal::Terminal;
 use document::page::POLICY;
+use runner::Loaded;
 use server::class::{Class, Classes};
 use server::http::{Place, Server};
 use server::pages::{Document, Pages};

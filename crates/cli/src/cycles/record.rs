@@ -1,11 +1,10 @@
 //! Selection of the column and the part of a file that is analysed.
 
 use crate::arguments::Cycles;
-use crate::arguments::assignments::Observe;
-use crate::arguments::limits::limits;
-use crate::data::Measured;
 use crate::failure::Failure;
 use analysis::cycles;
+use runner::names::Observe;
+use runner::records::{Measured, limits};
 use units::Language;
 
 /// The analysed record and its cycles.

@@ -1,8 +1,8 @@
 //! The cycles as a table of text.
 
 use super::record::Record;
-use crate::columns;
 use analysis::cycles::{Cycle, Measured, Quantity, Writing};
+use runner::records::columns_as_text;
 use units::Language;
 use units::number::{self, Layout, Style};
 
@@ -16,7 +16,7 @@ const DIGITS: usize = 4;
 pub fn table(record: &Record) -> String {
     let mut out = heading(record);
     out.push_str("\nThe columns of the file\n");
-    for line in columns::as_text(record.data).lines().skip(1) {
+    for line in columns_as_text(record.data).lines().skip(1) {
         out.push_str(line);
         out.push('\n');
     }

@@ -1,9 +1,10 @@
 //! Arguments of `meniscus fit` and `meniscus rank`.
 
-use crate::arguments::assignments::{Assignment, Observe, assignment, observe, seat};
 use analysis::fit::Loss;
 use clap::{Args, ValueEnum};
 use program::Seat;
+use runner::fitting::FitSettings;
+use runner::names::{Assignment, Observe, assignment, observe, seat};
 use std::path::PathBuf;
 
 /// Shown after the help of `meniscus fit`.
@@ -31,7 +32,7 @@ The best theory, by AICc, comes first. With --predict-from T each theory is also
 error of what it then predicts is shown: that is what tells a theory from a flexible curve.";
 
 /// Arguments common to `fit` and `rank`.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub struct Common {
     /// Observed quantity, and its column by name, body.name or number; the columns in turn in a file without a header
     #[arg(long, value_name = "y[=COLUMN]", value_parser = observe, required = true)]
@@ -88,6 +89,27 @@ pub struct Common {
     /// The form of what is printed
     #[arg(long, value_enum, default_value_t = Form::Text)]
     pub format: Form,
+}
+
+impl From<&Common> for FitSettings {
+    fn from(arguments: &Common) -> Self {
+        let arguments = arguments.clone();
+        Self {
+            observe: arguments.observe,
+            against: arguments.against,
+            unit: arguments.unit,
+            seat: arguments.seat,
+            vary: arguments.vary,
+            share: arguments.share,
+            fix: arguments.fix,
+            start: arguments.start,
+            bounds: arguments.bounds,
+            error: arguments.error,
+            loss: arguments.loss.into(),
+            from: arguments.from,
+            until: arguments.until,
+        }
+    }
 }
 
 /// `meniscus fit`

@@ -1,12 +1,12 @@
 //! The data that a report of fits carries, from which `meniscus verify` computes the fits again.
 
 use super::arguments::Common;
-use super::fitted::Fitted;
-use crate::data::Measured;
 use crate::handing::VERSION;
 use crate::handing::write::{now, packed};
 use analysis::fit::{Estimate, Outcome, Record};
 use class::verify::{DataFile, Recomputation, project_of_files, write_varied};
+use runner::fitting::Fitted;
+use runner::records::Measured;
 use saved::Number;
 use saved::carried::{carry, carry_nothing};
 use saved::format::{self, Column, StatedError};

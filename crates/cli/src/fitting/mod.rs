@@ -3,11 +3,8 @@
 pub mod arguments;
 pub mod carrying;
 mod fit;
-mod fitted;
-mod json;
-mod prepare;
 mod rank;
-mod text;
+mod theory;
 
 pub use fit::fit;
 pub use rank::rank;

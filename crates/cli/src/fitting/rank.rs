@@ -2,30 +2,18 @@
 
 use super::arguments::{Form, Rank as Arguments};
 use super::carrying::carrying;
-use super::fit::{FileKind, complete, kind, notes, read, with_font};
-use super::fitted::Fitted;
-use super::prepare::{self, Theory};
-use super::text::{Columns, beginnings, searches};
-use crate::arguments::settings::Reader;
-use crate::data::Measured;
+use super::fit::{FileKind, kind, notes, read, with_font};
+use super::theory;
 use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output;
-use analysis::fit::{Outcome, Outside, Ranked, rank as order, ties, worth};
+use analysis::fit::{Outcome, Ranked, rank as order, worth};
 use report::{Ranking, Report};
-use serde_json::json;
+use runner::fitting::{Columns, Contender, FitSettings, Fitted, Theory, beginnings, ranking_as_json, searches, tied};
 use std::fmt::Write;
 use units::Language;
 use units::Unit;
 use units::number::{Group, Style, plain};
-
-/// Fit of a theory, and its prediction from the beginning of the data.
-struct Contender {
-    fitted: Fitted,
-    /// Errors of the first observation: of the whole fit before and after the time of `--predict-from`, and of the
-    /// prediction after it. `None` without that option.
-    parts: Option<[Outside; 3]>,
-}
 
 /// Fits all theories and prints them, best first.
 pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
@@ -37,7 +25,7 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         return Err(Failure::with_hint("a ranking is no figure", "end --output in .html, .xlsx or .csv"));
     }
     let theories: Vec<Theory> =
-        arguments.models.iter().map(|path| prepare::theory(path, terminal)).collect::<Result<_, _>>()?;
+        arguments.models.iter().map(|path| theory::theory(path, terminal)).collect::<Result<_, _>>()?;
     let Some(first) = theories.first() else { return Err(Failure::request("there is no theory")) };
     let data = read(&arguments.data, &arguments.common, first, terminal)?;
     if arguments.common.format == Form::Text {
@@ -46,11 +34,16 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
             terminal.note(finding);
         }
     }
-    let contenders: Vec<Contender> = theories
-        .into_iter()
-        .zip(&arguments.models)
-        .map(|(theory, path)| contend(theory, path, &data, arguments, terminal))
-        .collect::<Result<_, _>>()?;
+    let settings = FitSettings::from(&arguments.common);
+    let contend = |theory: Theory| {
+        let progress = theory::progress(&theory.document.program.title);
+        let asked = (&settings, arguments.predict_from.as_deref());
+        let mut shown = |trials| progress.set_position(trials as u64);
+        let contender = Contender::complete(theory, &data, asked, &mut theory::note(terminal), &mut shown);
+        progress.finish_and_clear();
+        contender
+    };
+    let contenders: Vec<Contender> = theories.into_iter().map(contend).collect::<Result<_, _>>()?;
     let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
     let ranked = order(&outcomes);
     if let (Some(path), Some(kind)) = (&arguments.output, kind) {
@@ -71,54 +64,8 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     }
     output::print(&match arguments.common.format {
         Form::Text => table(&contenders, &ranked, arguments),
-        Form::Json => as_json(&contenders, &ranked, &data),
+        Form::Json => format!("{:#}\n", ranking_as_json(&contenders, &ranked, &data)),
     })
-}
-
-fn contend(
-    mut theory: Theory,
-    path: &std::path::Path,
-    data: &[Measured],
-    arguments: &Arguments,
-    terminal: Terminal,
-) -> Result<Contender, Failure> {
-    let mut task = prepare::task(&mut theory.document, data, &arguments.common, terminal)?;
-    let Some(text) = &arguments.predict_from else {
-        return Ok(Contender { fitted: complete(theory, task, false)?, parts: None });
-    };
-    let time = theory.document.program.model.independent.unit.clone();
-    let moment = Reader { model: &mut theory.document.program.model, terminal }.value(
-        "--predict-from",
-        text,
-        &time,
-        &task.parameters.clone(),
-    )?;
-    let mut fitted = complete(theory, task.clone(), false)?;
-    // Values exactly at the time are predicted.
-    task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
-    let predicted = complete(prepare::theory(path, terminal)?, task, false)?;
-    let (whole, after) = (&fitted.task, |time| time >= moment);
-    let before = error(&fitted, |time| whole.covers(time) && !after(time));
-    let rest = |time| whole.covers(time) && after(time);
-    let after = error(&fitted, rest);
-    if after.n == 0 {
-        return Err(Failure::with_hint(
-            format!("--predict-from {text}: no value is measured from there on"),
-            "give a time before the end of the records",
-        ));
-    }
-    let prediction = error(&predicted, rest);
-    // The report shows the prediction in the place of the values outside a fitted part.
-    for (own, predicted) in fitted.outcome.observations.iter_mut().zip(&predicted.outcome.observations) {
-        own.outside = Some(predicted.error_where(|time, _| rest(time))).filter(|part| part.n > 0);
-    }
-    Ok(Contender { fitted, parts: Some([before, after, prediction]) })
-}
-
-/// Root mean square of the first observation's residuals at times that satisfy `inside`, over all records.
-fn error(fitted: &Fitted, inside: impl Fn(f64) -> bool) -> Outside {
-    let first = fitted.outcome.observations.iter().filter(|one| one.observation == 0);
-    Outside::together(first.map(|one| one.error_where(|time, _| inside(time))))
 }
 
 /// Number of parameters that the data determined: values minus degrees of freedom.
@@ -211,37 +158,4 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
         }
     }
     text
-}
-
-/// One sentence per place that several theories share.
-fn tied(contenders: &[Contender], ranked: &[Ranked]) -> Vec<(usize, String)> {
-    let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
-    let title = |index: usize| contenders[index].fitted.theory.document.program.title.clone();
-    ties(ranked, &outcomes, Language::English, title)
-}
-
-fn as_json(contenders: &[Contender], ranked: &[Ranked], data: &[Measured]) -> String {
-    let best = ranked.first().map(|ranked| &contenders[ranked.index].fitted.outcome);
-    let worth = best.map(worth);
-    let tied = tied(contenders, ranked);
-    let rows: Vec<serde_json::Value> = ranked
-        .iter()
-        .map(|ranked| {
-            let one = &contenders[ranked.index];
-            let mut row = super::json::fit(&one.fitted, data);
-            let unit = &one.fitted.outcome.rmse_unit;
-            row["place"] = json!(ranked.place);
-            row["tie"] = json!(tied.iter().find(|(place, _)| *place == ranked.place).map(|(_, sentence)| sentence));
-            row["delta_aicc"] = json!(ranked.difference);
-            row["weight"] = json!(ranked.weight);
-            row["worth"] = json!(worth);
-            if let Some([before, after, prediction]) = one.parts {
-                row["rmse_before"] = json!(unit.from_si(before.rmse));
-                row["rmse_after"] = json!(unit.from_si(after.rmse));
-                row["rmse_predicted"] = json!(unit.from_si(prediction.rmse));
-            }
-            row
-        })
-        .collect();
-    format!("{:#}\n", serde_json::Value::Array(rows))
 }

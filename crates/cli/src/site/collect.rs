@@ -2,10 +2,11 @@
 
 use super::names::{INDEX, LABORATORY};
 use crate::failure::Failure;
-use crate::load::{self, Loaded};
+use crate::load;
 use crate::terminal::Terminal;
 use document::page::Source;
 use document::{BlockKind, Document};
+use runner::Loaded;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

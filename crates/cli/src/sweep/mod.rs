@@ -1,10 +1,8 @@
 //! `meniscus sweep`: runs a document with many values of its parameters and writes what is kept of each run.
 
 pub(crate) mod arguments;
-mod axes;
 
 use crate::failure::Failure;
-use crate::load::Sources;
 use crate::run::{Prepared, failed, prepare};
 use crate::terminal::Terminal;
 use crate::terminal::output::Output;
@@ -13,14 +11,13 @@ use arguments::Sweep;
 use document::Document;
 use engine::RunError;
 use engine::csv::Dialect;
-use engine::table::Column;
 use program::Outcomes;
-use runner::{Outcome, Plan, PlanError, Points};
+use runner::{Outcome, Plan, Points, Sources, sweep_columns};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::ops::Range;
 use std::time::{Duration, Instant};
-use units::{Words, words};
+use units::words;
 
 /// Time for which runs are computed together before their rows are written.
 const TOGETHER: Duration = Duration::from_millis(200);
@@ -35,8 +32,8 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
     }
     let prepared = prepare(&arguments.document, &arguments.settings, terminal)?;
     let Prepared { sources, mut document, setup, until } = prepared;
-    let plan = plan(&mut document, arguments, &setup.parameters, terminal)?;
-    let outcomes = kept(&mut document, &arguments.keep.join(", "), terminal)?;
+    let plan = plan(&mut document, arguments, &setup.parameters)?;
+    let outcomes = runner::kept(&mut document, &arguments.keep.join(", "))?;
     let output = match &arguments.output {
         Some(path) => Output::to(path, &sources)?,
         None => Output::standard(),
@@ -66,44 +63,15 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
 }
 
 /// The runs, as `--over` says.
-fn plan(document: &mut Document, arguments: &Sweep, parameters: &[f64], terminal: Terminal) -> Result<Plan, Failure> {
-    let axes = arguments.over.iter().map(|text| axes::read(document, text, parameters, terminal));
+fn plan(document: &mut Document, arguments: &Sweep, parameters: &[f64]) -> Result<Plan, Failure> {
+    let axes = arguments.over.iter().map(|text| runner::axis(document, text, parameters));
     let axes = axes.collect::<Result<Vec<_>, _>>()?;
     let points = match (arguments.random, arguments.halton) {
         (Some(runs), _) => Points::Random(runs, arguments.seed),
         (_, Some(runs)) => Points::Halton(runs),
         _ => Points::Grid,
     };
-    Plan::new(axes, points).map_err(|error| match error {
-        PlanError::NoStep(axis) => {
-            let over = &arguments.over[axis];
-            Failure::in_words(
-                words!("--over {over}: it is not said how far apart the values are"),
-                words("give a step, as in `b in 0..100 step 2`, or take samples with --random N or --halton N"),
-            )
-        }
-        PlanError::TooMany => refusal(words!("these are more runs than {}, the most", Plan::MOST)),
-        PlanError::TooManyAxes => {
-            refusal(words!("--halton is for at most {} parameters; take --random for more", Plan::AXES))
-        }
-        PlanError::Twice(parameter) => {
-            let name = document.program.model.parameters.get(parameter).map_or("", |parameter| &parameter.name);
-            refusal(words!("--over names the parameter {name} twice"))
-        }
-    })
-}
-
-fn refusal(message: Words) -> Failure {
-    Failure::Request { message, hint: None }
-}
-
-/// The numbers that are kept of each run.
-fn kept(document: &mut Document, text: &str, terminal: Terminal) -> Result<Outcomes, Failure> {
-    document::outcomes(document, text).map_err(|found| {
-        let source = Sources::of_text("--keep", text);
-        found.iter().for_each(|diagnostic| terminal.report_one(&source, diagnostic));
-        Failure::Argument
-    })
+    Ok(runner::plan(&document.program.model, axes, points, &arguments.over)?)
 }
 
 /// Writer of the rows, as CSV.
@@ -119,15 +87,7 @@ struct Table<'a> {
 impl<'a> Table<'a> {
     fn new(output: Output, document: &'a Document, plan: &'a Plan, outcomes: &Outcomes) -> Self {
         let mut text = "run".to_owned();
-        let parameters = &document.program.model.parameters;
-        let axes = plan.axes().iter().filter_map(|axis| parameters.get(axis.parameter));
-        let axes = axes.map(|parameter| (parameter.name.as_str(), &parameter.unit));
-        let kept = outcomes.curves.iter().map(|curve| {
-            let label = curve.label.as_deref().filter(|_| curve.named);
-            (label.unwrap_or(&curve.expression), &curve.value.unit)
-        });
-        for (name, unit) in axes.chain(kept) {
-            let column = Column { name: name.to_owned(), label: None, unit: unit.clone() };
+        for column in sweep_columns(&document.program.model, plan, outcomes).iter().flatten() {
             text.push(',');
             // Writing to a string cannot fail.
             let _ = Dialect::Lines.text(&mut text, &column.heading());

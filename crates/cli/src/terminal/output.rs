@@ -3,7 +3,7 @@
 use super::unfinished::Unfinished;
 use super::visible::Visible;
 use crate::failure::Failure;
-use crate::load::Sources;
+use runner::Sources;
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, StdoutLock, Write};
 use std::path::{Path, PathBuf};
@@ -34,6 +34,14 @@ pub enum Output {
     },
 }
 
+/// True if writing to `path` would overwrite one of the files.
+fn is_source(path: &Path, sources: &Sources) -> bool {
+    let Ok(path) = path.canonicalize() else {
+        return false;
+    };
+    sources.texts().any(|(file, _)| file.canonicalize().is_ok_and(|own| own == path))
+}
+
 impl Output {
     /// The standard output: unchanged bytes to files and other programs, escaped control characters on a terminal.
     pub fn standard() -> Self {
@@ -51,7 +59,7 @@ impl Output {
         if path == Path::new("-") {
             return Ok(Self::standard());
         }
-        if sources.contains(path) {
+        if is_source(path, sources) {
             return Err(Failure::request(format!("{} is the document itself; choose another output", path.display())));
         }
         let failure = |error: io::Error| Failure::file("write", path, &error);

@@ -2,9 +2,9 @@
 
 use super::arguments::{Place, Track as Arguments};
 use super::opened::{Opened, refused, refused_with};
-use crate::arguments::limits::limits;
 use crate::failure::Failure;
 use film::timing::{Finding, Intervals, TimeBase, slow_motion};
+use runner::records::limits;
 use std::ops::RangeInclusive;
 use units::number::fixed;
 use units::{Words, words};

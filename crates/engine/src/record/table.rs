@@ -110,6 +110,14 @@ impl Table {
         &self.columns
     }
 
+    /// Kind of the values of each column.
+    pub fn kinds(&self) -> impl Iterator<Item = Kind> {
+        self.sources.iter().map(|source| match source {
+            Source::Reading(_, kind) => *kind,
+            _ => Kind::Number,
+        })
+    }
+
     /// The cells of a recorded row, one per column.
     pub fn row(&mut self, history: &History, row: usize) -> &[Cell] {
         let read = self.readings.at_row(history, row);

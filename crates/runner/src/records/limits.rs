@@ -1,6 +1,6 @@
 //! `--from` and `--until`: the used part of a record or film.
 
-use crate::failure::Failure;
+use crate::refusal::Refusal;
 use std::ops::RangeInclusive;
 use units::{Dimension, Unit, words};
 
@@ -9,7 +9,7 @@ use units::{Dimension, Unit, words};
 ///
 /// # Errors
 /// A limit is not a finite number or has a unit of another dimension, or the end is not after the beginning.
-pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> Result<RangeInclusive<f64>, Failure> {
+pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> Result<RangeInclusive<f64>, Refusal> {
     let limit = |name: &'static str, text: Option<&str>| text.map(|text| reading(name, text, unit)).transpose();
     let (begin, end) = (limit("--from", from)?, limit("--until", until)?);
     if let (Some(begin), Some(end)) = (begin, end)
@@ -21,8 +21,8 @@ pub fn limits(from: Option<&str>, until: Option<&str>, unit: Option<&Unit>) -> R
 }
 
 /// Error for `--until` not after `--from`. Both are given as typed.
-pub fn nothing_between(from: &str, until: &str) -> Failure {
-    Failure::in_words(
+pub fn nothing_between(from: &str, until: &str) -> Refusal {
+    Refusal::in_words(
         words!("--until {until} is not after --from {from}: nothing lies between them"),
         words("give --until a later time than --from, or leave one of them out"),
     )
@@ -30,7 +30,7 @@ pub fn nothing_between(from: &str, until: &str) -> Failure {
 
 /// Parses a value of the independent variable: `1.5` in the unit of the file, `1500 ms` or `1500 [ms]` in its own.
 /// Returns SI.
-fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, Failure> {
+fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, Refusal> {
     let text = text.trim();
     let hint = || words!("write a number, such as {name} 1.5, or one with its unit, such as {name} '1500 [ms]'");
     let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c))).unwrap_or(text.len());
@@ -47,14 +47,14 @@ fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, F
         return Ok(unit.map_or(value, |unit| unit.to_si(value)));
     }
     let Ok(own) = Unit::parse(rest) else {
-        return Err(Failure::in_words(words!("{name} {text}: `{rest}` is not a known unit"), hint()));
+        return Err(Refusal::in_words(words!("{name} {text}: `{rest}` is not a known unit"), hint()));
     };
     if own.dimension == unit.map_or(Dimension::TIME, |unit| unit.dimension) {
         return Ok(own.to_si(value));
     }
     Err(match unit.filter(|unit| unit.dimension != Dimension::TIME) {
-        None => Failure::in_words(words!("{name} {text}: {rest} is not a unit of time"), hint()),
-        Some(Unit { text: of_file, .. }) => Failure::in_words(
+        None => Refusal::in_words(words!("{name} {text}: {rest} is not a unit of time"), hint()),
+        Some(Unit { text: of_file, .. }) => Refusal::in_words(
             words!(
                 "{name} {text}: the file measures against a column in {of_file}, and {rest} is another kind of unit"
             ),
@@ -63,12 +63,12 @@ fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, F
     })
 }
 
-fn wrong(name: &str, text: &str, hint: units::Words) -> Failure {
-    Failure::in_words(words!("{name} {text} is not a number"), hint)
+fn wrong(name: &str, text: &str, hint: units::Words) -> Refusal {
+    Refusal::in_words(words!("{name} {text} is not a number"), hint)
 }
 
-fn unbounded(name: &'static str, text: &str) -> Failure {
-    Failure::in_words(words!("{name} {text} is not a finite number"), words!("leave {name} out to set no limit there"))
+fn unbounded(name: &'static str, text: &str) -> Refusal {
+    Refusal::in_words(words!("{name} {text} is not a finite number"), words!("leave {name} out to set no limit there"))
 }
 
 #[cfg(test)]

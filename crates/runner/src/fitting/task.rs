@@ -1,147 +1,126 @@
-//! Conversion of the arguments to a fit task.
+//! Conversion of the settings of a fit to its task.
 
-use super::arguments::Common;
-use crate::arguments::assignments::Assignment;
-use crate::arguments::limits::nothing_between;
-use crate::arguments::settings::{Reader, positive, unknown};
-use crate::arguments::variable::find;
-use crate::class::take_seat;
-use crate::data::Measured;
-use crate::failure::Failure;
-use crate::load::{self, Loaded, Sources};
-use crate::terminal::Terminal;
+use super::settings::FitSettings;
+use crate::names::Assignment;
+use crate::records::{Measured, find, nothing_between};
+use crate::refusal::Refusal;
+use crate::settings::take_seat;
+use crate::values::{Reader, positive};
 use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
 use analysis::lookup::LookupError;
 use document::Document;
 use program::{Compiled, Kind};
 use std::path::Path;
-use units::{Unit, words};
+use units::{Unit, Words, words};
 
-/// A document used as a theory.
-pub struct Theory {
-    /// Source files.
-    pub sources: Sources,
-    /// The document.
-    pub document: Document,
-}
-
-/// Opens a document as a theory. Errors in it are reported.
-pub fn theory(path: &Path, terminal: Terminal) -> Result<Theory, Failure> {
-    let loaded = Loaded::open(load::sources(path)?);
-    terminal.report(&loaded);
-    let refused = loaded.opened.has_errors();
-    let Loaded { sources, opened } = loaded;
-    match opened.document.filter(|_| !refused) {
-        Some(document) => Ok(Theory { sources, document }),
-        None => Err(Failure::Document),
-    }
-}
-
-/// Fit task of the arguments.
+/// Fit task of the settings. `note` gets remarks about the data.
+///
+/// # Errors
+/// A setting that does not suit the document or the data.
 pub fn task(
     document: &mut Document,
     data: &[Measured],
-    arguments: &Common,
-    terminal: Terminal,
-) -> Result<Task, Failure> {
-    take_seat(&mut document.program, arguments.seat)?;
+    settings: &FitSettings,
+    note: &mut dyn FnMut(&Words),
+) -> Result<Task, Refusal> {
+    take_seat(&mut document.program, settings.seat)?;
     let time = document.program.model.independent.unit.clone();
     let parameters: Vec<f64> = document.program.model.parameters.iter().map(|parameter| parameter.value).collect();
-    let mut task = Task { parameters, loss: arguments.loss.into(), ..Task::default() };
+    let mut task = Task { parameters, loss: settings.loss, ..Task::default() };
     task.method = document.program.method.unwrap_or(task.method);
-    let observed = observed(document, arguments, terminal)?;
+    let observed = observed(document, settings)?;
     let mut columns: Vec<Vec<usize>> = Vec::new();
     for measured in data {
-        let (record, own) = record(document, measured, arguments, &observed)?;
+        let (record, own) = record(document, measured, settings, &observed)?;
         task.records.push(record);
         columns.push(own);
     }
     let vary = document.program.vary.clone();
-    let mut reader = Reader { model: &mut document.program.model, terminal };
+    let mut reader = Reader { model: &mut document.program.model };
     let names: Vec<String> = observed.iter().map(|(name, _)| name.clone()).collect();
-    for fixed in &arguments.fix {
-        if arguments.vary.iter().any(|name| name.trim() == fixed.name) {
-            return Err(Failure::with_hint(
+    for fixed in &settings.fix {
+        if settings.vary.iter().any(|name| name.trim() == fixed.name) {
+            return Err(Refusal::with_hint(
                 format!("{} is both varied and held", fixed.name),
                 "name it in --vary or in --fix; where a search begins says --start",
             ));
         }
         fix(&mut reader, &mut task, fixed)?;
     }
-    for error in &arguments.error {
+    for error in &settings.error {
         errors(&mut reader, &mut task, (data, &columns), error, &observed)?;
     }
     for (place, (name, compiled)) in observed.iter().enumerate() {
-        if !arguments.error.iter().any(|error| error.name == *name) {
-            errors_of_files(&mut task, (data, &columns), (place, name, &compiled.unit), terminal)?;
+        if !settings.error.iter().any(|error| error.name == *name) {
+            errors_of_files(&mut task, (data, &columns), (place, name, &compiled.unit), note)?;
         }
     }
-    task.varied = if arguments.vary.is_empty() {
+    task.varied = if settings.vary.is_empty() {
         // A fixed parameter is not varied.
-        let held = |index: usize| arguments.fix.iter().any(|fixed| fixed.name == reader.model.parameters[index].name);
+        let held = |index: usize| settings.fix.iter().any(|fixed| fixed.name == reader.model.parameters[index].name);
         vary.into_iter().filter(|&index| !held(index)).map(Varied::parameter).collect()
     } else {
-        let targets: Result<Vec<Target>, Failure> =
-            arguments.vary.iter().map(|name| target(&reader, name.trim(), &names)).collect();
+        let targets: Result<Vec<Target>, Refusal> =
+            settings.vary.iter().map(|name| target(&reader, name.trim(), &names)).collect();
         targets?.into_iter().map(|target| Varied { target, ..Varied::parameter(0) }).collect()
     };
     if task.varied.is_empty() {
-        return Err(Failure::with_hint(
+        return Err(Refusal::with_hint(
             "nothing is varied",
             "say what with --vary NAME,NAME, or in the document's front matter: `vary: b, y_0`",
         ));
     }
-    refine(&mut reader, &mut task, arguments, &names)?;
+    refine(&mut reader, &mut task, settings, &names)?;
     let values = task.parameters.clone();
     let mut moment = |what: &str, text: &Option<String>| match text {
         Some(text) => reader.value(what, text, &time, &values).map(Some),
         None => Ok(None),
     };
-    task.from = moment("--from", &arguments.from)?;
-    task.until = moment("--until", &arguments.until)?;
+    task.from = moment("--from", &settings.from)?;
+    task.until = moment("--until", &settings.until)?;
     if let (Some(from), Some(until)) = (task.from, task.until)
         && until <= from
     {
         let typed = |text: &Option<String>| text.clone().unwrap_or_default();
-        return Err(nothing_between(&typed(&arguments.from), &typed(&arguments.until)));
+        return Err(nothing_between(&typed(&settings.from), &typed(&settings.until)));
     }
     Ok(task)
 }
 
 /// Applies `--share`, `--start` and `--bounds` to the varied numbers.
-fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[String]) -> Result<(), Failure> {
+fn refine(reader: &mut Reader, task: &mut Task, settings: &FitSettings, names: &[String]) -> Result<(), Refusal> {
     let values = task.parameters.clone();
-    for name in &arguments.share {
+    for name in &settings.share {
         let place = varied(reader, task, "--share", name.trim(), names)?;
         task.varied[place].shared = true;
     }
-    if !arguments.share.is_empty() && task.records.len() < 2 {
-        return Err(Failure::with_hint(
-            format!("--share {}: there is only one record", arguments.share.join(",")),
+    if !settings.share.is_empty() && task.records.len() < 2 {
+        return Err(Refusal::with_hint(
+            format!("--share {}: there is only one record", settings.share.join(",")),
             "name more than one file of data, or leave out --share",
         ));
     }
-    for start in &arguments.start {
+    for start in &settings.start {
         let place = varied(reader, task, "--start", &start.name, names)?;
         let unit = unit(reader, task, task.varied[place].target);
         task.varied[place].start =
             Some(reader.value(&format!("--start {}", start.name), &start.value, &unit, &values)?);
     }
-    for bounds in &arguments.bounds {
+    for bounds in &settings.bounds {
         let place = varied(reader, task, "--bounds", &bounds.name, names)?;
         let unit = unit(reader, task, task.varied[place].target);
         let what = format!("--bounds {}", bounds.name);
         let (low, high) = split_range(&bounds.value).ok_or_else(|| {
-            Failure::with_hint(format!("{what} is no range"), format!("write --bounds {}=LO..HI", bounds.name))
+            Refusal::with_hint(format!("{what} is no range"), format!("write --bounds {}=LO..HI", bounds.name))
         })?;
         let low = if low.is_empty() { f64::NEG_INFINITY } else { reader.value(&what, low, &unit, &values)? };
         let high = if high.is_empty() { f64::INFINITY } else { reader.value(&what, high, &unit, &values)? };
         if low >= high {
-            return Err(Failure::request(format!("{what}: the lower bound is not below the upper one")));
+            return Err(Refusal::request(format!("{what}: the lower bound is not below the upper one")));
         }
         task.varied[place].bounds = Some((low, high));
     }
-    for start in &arguments.start {
+    for start in &settings.start {
         let place = varied(reader, task, "--start", &start.name, names)?;
         starts_inside(reader, &task.varied[place], start)?;
     }
@@ -149,7 +128,7 @@ fn refine(reader: &mut Reader, task: &mut Task, arguments: &Common, names: &[Str
 }
 
 /// Refuses a start outside the search range, which the search would silently move to the nearest bound.
-fn starts_inside(reader: &Reader, varied: &Varied, start: &Assignment) -> Result<(), Failure> {
+fn starts_inside(reader: &Reader, varied: &Varied, start: &Assignment) -> Result<(), Refusal> {
     let own = match varied.target {
         Target::Parameter(index) => reader.model.parameters.get(index).and_then(|parameter| parameter.range),
         Target::Origin | Target::Offset(_) => None,
@@ -158,7 +137,7 @@ fn starts_inside(reader: &Reader, varied: &Varied, start: &Assignment) -> Result
     if (low..=high).contains(&value) {
         return Ok(());
     }
-    Err(Failure::with_hint(
+    Err(Refusal::with_hint(
         format!("--start {}={} lies outside the range in which is searched", start.name, start.value),
         format!("choose a value inside, or another range with --bounds {}=LO..HI", start.name),
     ))
@@ -171,21 +150,17 @@ fn split_range(text: &str) -> Option<(&str, &str)> {
 }
 
 /// Compiled observed expressions with their names as typed.
-fn observed(
-    document: &mut Document,
-    arguments: &Common,
-    terminal: Terminal,
-) -> Result<Vec<(String, Compiled)>, Failure> {
-    let mut reader = Reader { model: &mut document.program.model, terminal };
+fn observed(document: &mut Document, settings: &FitSettings) -> Result<Vec<(String, Compiled)>, Refusal> {
+    let mut reader = Reader { model: &mut document.program.model };
     let mut observed: Vec<(String, Compiled)> = Vec::new();
-    for observe in &arguments.observe {
+    for observe in &settings.observe {
         let name = &observe.quantity;
         if observed.iter().any(|(known, _)| known == name) {
-            return Err(Failure::request(format!("--observe {name} is given twice")));
+            return Err(Refusal::request(format!("--observe {name} is given twice")));
         }
         let compiled = reader.expression("--observe", name)?;
         if compiled.kind != Kind::Number {
-            return Err(Failure::request(format!("--observe {name} is no number that could be measured")));
+            return Err(Refusal::request(format!("--observe {name} is no number that could be measured")));
         }
         observed.push((name.clone(), compiled));
     }
@@ -196,21 +171,21 @@ fn observed(
 fn record(
     document: &Document,
     measured: &Measured,
-    arguments: &Common,
+    settings: &FitSettings,
     observed: &[(String, Compiled)],
-) -> Result<(Record, Vec<usize>), Failure> {
+) -> Result<(Record, Vec<usize>), Refusal> {
     let scale_error = measured.table.scale_error;
     let mut record = Record { name: short_name(&measured.name), scale_error, ..Record::default() };
     let mut columns: Vec<usize> = Vec::new();
-    for (observe, (name, compiled)) in arguments.observe.iter().zip(observed) {
+    for (observe, (name, compiled)) in settings.observe.iter().zip(observed) {
         let column = measured.column(observe, &columns)?;
         measured.check_unit(column)?;
         let observation = observation(&document.program.model, &measured.table, column, name, compiled.clone())
             .map_err(|error| {
                 let message = format!("{}: {error}", measured.name);
                 match error.lacks_scale {
-                    true => Failure::with_hint(message, "give the film a scale: two points of its ruler, `meniscus track FILM --scale 'X1,Y1,X2,Y2=10 [cm]'`"),
-                    false => Failure::request(message),
+                    true => Refusal::with_hint(message, "give the film a scale: two points of its ruler, `meniscus track FILM --scale 'X1,Y1,X2,Y2=10 [cm]'`"),
+                    false => Refusal::request(message),
                 }
             })?;
         record.observations.push(observation);
@@ -230,13 +205,13 @@ fn short_name(path: &str) -> String {
 }
 
 /// `--fix NAME=VALUE`, with one value for all records or one per record.
-fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Failure> {
+fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Refusal> {
     let values = task.parameters.clone();
     let several = listed_values(&fixed.value);
     if several.len() > 1 {
         if several.len() != task.records.len() {
             let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
-            return Err(Failure::with_hint(
+            return Err(Refusal::with_hint(
                 format!(
                     "--fix {}: {} for {}",
                     fixed.name,
@@ -279,9 +254,9 @@ fn errors(
     (data, columns): (&[Measured], &[Vec<usize>]),
     error: &Assignment,
     observed: &[(String, Compiled)],
-) -> Result<(), Failure> {
+) -> Result<(), Refusal> {
     let Some(place) = observed.iter().position(|(name, _)| *name == error.name) else {
-        return Err(unknown("observed quantity", &error.name, observed.iter().map(|(name, _)| name.as_str())));
+        return Err(Refusal::unknown("observed quantity", &error.name, observed.iter().map(|(name, _)| name.as_str())));
     };
     let unit = observed[place].1.unit.clone();
     for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
@@ -306,31 +281,29 @@ fn errors(
     Ok(())
 }
 
-/// Uses the standard errors that the files contain for an observed quantity, as written by `meniscus track`, and prints
-/// a note.
+/// Uses the standard errors that the files contain for an observed quantity, as written by `meniscus track`, with a
+/// note.
 fn errors_of_files(
     task: &mut Task,
     (data, columns): (&[Measured], &[Vec<usize>]),
     (place, name, unit): (usize, &str, &Unit),
-    terminal: Terminal,
-) -> Result<(), Failure> {
+    note: &mut dyn FnMut(&Words),
+) -> Result<(), Refusal> {
     for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
         let Some(column) = measured.table.errors_of(columns[place]) else { continue };
         record.observations[place].errors = Some(column_errors(measured, column, columns[place], unit)?);
         let (file, called) = (&measured.name, measured.called(column));
-        let note = words!("{file}: the standard errors of {name} are those of its column {called}");
-        let head = terminal.language.say("note");
-        terminal.print(&format!("{head}: {}\n", note.text(terminal.language)));
+        note(&words!("{file}: the standard errors of {name} are those of its column {called}"));
     }
     Ok(())
 }
 
 /// Standard errors of the column `observed`, SI, one per row that has a time and a value.
-fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Unit) -> Result<Vec<f64>, Failure> {
+fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Unit) -> Result<Vec<f64>, Refusal> {
     let table = &measured.table;
     let own = &table.columns[column];
     if let Some(given) = own.unit.as_ref().filter(|given| given.dimension != unit.dimension) {
-        return Err(Failure::request(format!(
+        return Err(Refusal::request(format!(
             "{}: {} is in {given}, and what is observed is in {unit}",
             measured.name,
             measured.called(column)
@@ -341,10 +314,10 @@ fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Uni
 }
 
 /// Varied number of this name: a parameter, `t_origin`, or `y_offset`.
-fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Failure> {
+fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Refusal> {
     if let Some(index) = reader.model.parameters.iter().position(|parameter| parameter.name == name) {
         if reader.model.parameters[index].choices != program::Choices::Numbers {
-            return Err(Failure::request(format!("{name} cannot be varied: it is no number")));
+            return Err(Refusal::request(format!("{name} cannot be varied: it is no number")));
         }
         return Ok(Target::Parameter(index));
     }
@@ -358,10 +331,10 @@ fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Fa
 }
 
 /// Index of a varied number among the varied numbers of the task. `option`: name of the option, for messages.
-fn varied(reader: &Reader, task: &Task, option: &str, name: &str, observed: &[String]) -> Result<usize, Failure> {
+fn varied(reader: &Reader, task: &Task, option: &str, name: &str, observed: &[String]) -> Result<usize, Refusal> {
     let target = target(reader, name, observed)?;
     task.varied.iter().position(|varied| varied.target == target).ok_or_else(|| {
-        Failure::with_hint(
+        Refusal::with_hint(
             format!("{option} {name}: {name} is not varied"),
             format!("add it to --vary: --vary {name},..."),
         )

@@ -1,6 +1,6 @@
 //! Description of the columns of a file as text and JSON.
 
-use crate::data::Measured;
+use super::measured::Measured;
 use analysis::table::Column;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -10,7 +10,7 @@ use units::Language;
 const SHOWN: usize = 24;
 
 /// One line for the file and one per column: name, unit, origin of the unit, content of the cells.
-pub fn as_text(data: &Measured) -> String {
+pub fn columns_as_text(data: &Measured) -> String {
     let table = &data.table;
     let mut text = format!("{}: {}, {} rows\n", data.name, data.format.text(Language::English), table.rows());
     let names: Vec<String> = (0..table.columns.len()).map(|index| name(data, index)).collect();
@@ -49,7 +49,7 @@ pub fn as_text(data: &Measured) -> String {
 }
 
 /// Description of the columns as an array of objects.
-pub fn as_json(data: &Measured) -> Value {
+pub fn columns_as_json(data: &Measured) -> Value {
     let table = &data.table;
     let column = |(index, column): (usize, &Column)| {
         let first = column.origin.first_word.as_ref().map(|(line, text)| json!({"line": line, "text": text}));

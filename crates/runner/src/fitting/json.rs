@@ -1,15 +1,14 @@
 //! Results as JSON, in declared units; unknown values are null.
 
 use super::fitted::Fitted;
-use crate::columns;
-use crate::data::Measured;
+use crate::records::{Measured, columns_as_json};
 use analysis::fit::{Estimate, Interval, Lack, ObservationFit, Outcome, Outlier, Record};
 use serde_json::{Map, Value, json};
 use units::Language;
 use units::Unit;
 
 /// A fit as one object.
-pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
+pub fn fit_as_json(fitted: &Fitted, data: &[Measured]) -> Value {
     let outcome = &fitted.outcome;
     let several = fitted.task.records.len() > 1;
     let lacking = |lack: Lack| outcome.undetermined.iter().filter(move |one| one.lack == lack);
@@ -59,7 +58,7 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
         "exchangeable": lacking(Lack::Exchange).map(|one| one.names.clone()).collect::<Vec<_>>(),
         "determined_combinations":
             outcome.undetermined.iter().flat_map(|one| one.combinations.clone()).collect::<Vec<_>>(),
-        "data": data.iter().map(file).collect::<Vec<_>>(),
+        "data": data.iter().map(record_as_json).collect::<Vec<_>>(),
     });
     if several {
         let run = |(record, one): (usize, &Record)| {
@@ -79,10 +78,10 @@ pub fn fit(fitted: &Fitted, data: &[Measured]) -> Value {
     object
 }
 
-/// Description of a file.
-pub fn file(data: &Measured) -> Value {
+/// Description of a record.
+pub fn record_as_json(data: &Measured) -> Value {
     let findings: Vec<String> = data.findings.iter().map(|finding| finding.text(Language::English)).collect();
-    json!({"name": data.name, "findings": findings, "columns": columns::as_json(data)})
+    json!({"name": data.name, "findings": findings, "columns": columns_as_json(data)})
 }
 
 /// Another minimum that fits as well within the noise, or null: the excess of its chi-square in variances of a

@@ -1,8 +1,8 @@
 //! Lookup of the columns that the user names, and choice of the independent variable.
 
-use super::assignments::{Assignment, Observe};
-use crate::failure::{Failure, listed};
-use crate::terminal::quoted::quoted;
+use crate::names::{Assignment, Observe};
+use crate::quoted::quoted;
+use crate::refusal::{Refusal, listed};
 use analysis::lookup::LookupError;
 use analysis::origin::Reason;
 use analysis::roles::Remark;
@@ -24,7 +24,7 @@ pub struct Stated<'a> {
 
 /// Sets the independent variable from `--against`, or else to the one that suits the document. Returns a remark about
 /// the choice.
-pub fn choose(file: &str, table: &mut Table, stated: Stated) -> Result<Option<Remark>, Failure> {
+pub fn choose(file: &str, table: &mut Table, stated: Stated) -> Result<Option<Remark>, Refusal> {
     if !stated.against.is_empty() {
         let named = |name: &String| find(file, table, name, &|name| format!("--against {name}"));
         let clocks: Vec<usize> = stated.against.iter().map(named).collect::<Result<_, _>>()?;
@@ -37,7 +37,7 @@ pub fn choose(file: &str, table: &mut Table, stated: Stated) -> Result<Option<Re
 }
 
 /// Index of the column of this name or number. `option` formats the option that selects a column, for hints.
-pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> String) -> Result<usize, Failure> {
+pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> String) -> Result<usize, Refusal> {
     table.column(which).map_err(|error| match error {
         LookupError::Unknown => {
             let columns = 0..table.columns.len();
@@ -48,7 +48,7 @@ pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> Str
                 }
                 _ => table.label(index),
             };
-            Failure::with_hint(
+            Refusal::with_hint(
                 format!("{file} has no column `{which}`"),
                 format!("its columns are {}; choose one with {}", listed(columns.map(label)), option("COLUMN")),
             )
@@ -57,7 +57,7 @@ pub fn find(file: &str, table: &Table, which: &str, option: &dyn Fn(&str) -> Str
             let described = |index: &usize| format!("column {}, named `{}`", table.number(*index), table.label(*index));
             let described: Vec<String> = found.iter().map(described).collect();
             let typed: Vec<String> = found.iter().map(|index| option(&quoted(table.typed(*index)))).collect();
-            Failure::with_hint(
+            Refusal::with_hint(
                 format!("{file}: `{which}` can be {}", described.join(", or ")),
                 format!("write {}", typed.join(" or ")),
             )

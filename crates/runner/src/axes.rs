@@ -1,24 +1,19 @@
 //! `--over`: a parameter and its values.
 
-use crate::arguments::assignments::{Assignment, names_in};
-use crate::arguments::settings::{Reader, within_range};
-use crate::failure::Failure;
-use crate::load::Sources;
-use crate::terminal::Terminal;
+use crate::names::{Assignment, names_in};
+use crate::plan::{Axis, Values};
+use crate::refusal::Refusal;
+use crate::values::{Reader, within_range};
 use document::{Document, Limits};
-use runner::{Axis, Values};
 use units::words;
 
 /// Reads `b in 0..100 [kg/s] step 2` or `h_l = 2, 3, 4 [m]`. `parameters`: values that expressions in the list may use, SI.
-pub fn read(document: &mut Document, text: &str, parameters: &[f64], terminal: Terminal) -> Result<Axis, Failure> {
+pub fn axis(document: &mut Document, text: &str, parameters: &[f64]) -> Result<Axis, Refusal> {
     if let Some((name, values)) = text.split_once('=') {
-        return list(document, (name.trim(), values), parameters, terminal);
+        return list(document, (name.trim(), values), parameters);
     }
-    let (parameter, Limits { low, high, step }) = document::parameter_range(document, text).map_err(|found| {
-        let source = Sources::of_text("--over", text);
-        found.iter().for_each(|diagnostic| terminal.report_one(&source, diagnostic));
-        Failure::Argument
-    })?;
+    let (parameter, Limits { low, high, step }) = document::parameter_range(document, text)
+        .map_err(|found| Refusal::Expression { setting: "--over".to_owned(), text: text.to_owned(), found })?;
     let own = &document.program.model.parameters[parameter];
     for end in [low, high] {
         within_range(own, end)?;
@@ -29,20 +24,15 @@ pub fn read(document: &mut Document, text: &str, parameters: &[f64], terminal: T
 }
 
 /// Reads values after a name. A unit behind the last value holds for all that have none of their own.
-fn list(
-    document: &mut Document,
-    (name, values): (&str, &str),
-    parameters: &[f64],
-    terminal: Terminal,
-) -> Result<Axis, Failure> {
+fn list(document: &mut Document, (name, values): (&str, &str), parameters: &[f64]) -> Result<Axis, Refusal> {
     let texts = names_in(values);
     let unit = texts.last().and_then(|last| last.find('[').map(|at| &last[at..])).unwrap_or_default();
-    let mut reader = Reader { model: &mut document.program.model, terminal };
+    let mut reader = Reader { model: &mut document.program.model };
     let (mut parameter, mut read) = (0, Vec::new());
     for text in &texts {
         if text.is_empty() {
             let message = words!("--over {name}: there is a comma without a value");
-            return Err(Failure::Request { message, hint: None });
+            return Err(Refusal::Request { message, hint: None });
         }
         let value = if text.contains('[') { (*text).to_owned() } else { format!("{text} {unit}") };
         let assignment = Assignment { name: name.to_owned(), value: value.trim().to_owned() };

@@ -1,6 +1,7 @@
-//! Results as text for a terminal.
+//! Results as text with aligned columns.
 
 use super::fitted::Fitted;
+use crate::refusal::listed;
 use analysis::fit::{Estimate, Interval, ObservationFit, Outcome};
 use report::readable_units;
 use std::fmt::Write;
@@ -45,12 +46,12 @@ impl Columns {
 }
 
 /// Text of a fit with all its statistics.
-pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
+pub fn fit_as_text(fitted: &Fitted, notes: &[Vec<String>]) -> String {
     let outcome = &fitted.outcome;
     let mut text = String::new();
     let names: Vec<&str> = fitted.task.records.iter().map(|record| record.name.as_str()).collect();
     // Writing to a string cannot fail.
-    let _ = writeln!(text, "{}, fitted to {}\n", fitted.theory.document.program.title, crate::failure::listed(names));
+    let _ = writeln!(text, "{}, fitted to {}\n", fitted.theory.document.program.title, listed(names));
     if !outcome.converged {
         text.push_str("The fit did not converge: these values are only the best that were found.\n\n");
     }
@@ -74,7 +75,7 @@ pub fn fit(fitted: &Fitted, notes: &[Vec<String>]) -> String {
         let _ = writeln!(
             text,
             "{} was computed from another column: it adds no independent information, and is not counted twice.",
-            crate::failure::listed(derived)
+            listed(derived)
         );
     }
     for (record, notes) in fitted.task.records.iter().zip(notes).filter(|(_, notes)| !notes.is_empty()) {

@@ -1,0 +1,52 @@
+//! Tables through Arrow's C interface.
+
+use crate::column::{Column, Values};
+use crate::errors::value_error;
+use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::{
+    ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchIterator, RecordBatchOptions, StringArray,
+};
+use arrow_buffer::{Buffer, NullBuffer, ScalarBuffer};
+use arrow_schema::{ArrowError, DataType, Field, Schema};
+use bytes::Bytes;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyCapsule;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A capsule with a stream of one batch. Numbers are not copied.
+pub fn stream<'py>(py: Python<'py>, columns: &[Column], rows: usize) -> PyResult<Bound<'py, PyCapsule>> {
+    let refused = |error: ArrowError| value_error(error.to_string());
+    let mut fields = Vec::with_capacity(columns.len());
+    let mut arrays: Vec<ArrayRef> = Vec::with_capacity(columns.len());
+    for column in columns {
+        let (kind, array): (DataType, ArrayRef) = match &column.values {
+            Values::Numbers(bytes) => {
+                let shared = PyBackedBytes::from(bytes.bind(py).clone());
+                let numbers = ScalarBuffer::<f64>::from(Buffer::from(Bytes::from_owner(shared)));
+                let missing = numbers.iter().any(|number| number.is_nan());
+                let valid = missing.then(|| numbers.iter().map(|number| !number.is_nan()).collect::<NullBuffer>());
+                (DataType::Float64, Arc::new(Float64Array::new(numbers, valid)))
+            }
+            Values::Truths(bytes) => {
+                let truths: Vec<bool> = bytes.as_bytes(py).iter().map(|byte| *byte != 0).collect();
+                (DataType::Boolean, Arc::new(BooleanArray::from(truths)))
+            }
+            Values::Texts(texts) => {
+                let texts = texts.iter().map(Option::as_deref);
+                (DataType::Utf8, Arc::new(texts.collect::<StringArray>()))
+            }
+        };
+        let described = [("unit", &column.unit), ("label", &column.label)].into_iter();
+        let described = described.filter(|(_, text)| !text.is_empty());
+        let metadata: HashMap<String, String> = described.map(|(key, text)| (key.to_owned(), text.clone())).collect();
+        fields.push(Field::new(&column.name, kind, true).with_metadata(metadata));
+        arrays.push(array);
+    }
+    let schema = Arc::new(Schema::new(fields));
+    let options = RecordBatchOptions::new().with_row_count(Some(rows));
+    let batch = RecordBatch::try_new_with_options(schema.clone(), arrays, &options).map_err(refused)?;
+    let stream = FFI_ArrowArrayStream::new(Box::new(RecordBatchIterator::new([Ok(batch)], schema)));
+    PyCapsule::new_with_value(py, stream, c"arrow_array_stream")
+}

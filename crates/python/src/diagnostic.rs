@@ -1,0 +1,125 @@
+//! Diagnostics as Python objects.
+
+use crate::keywords::in_keywords;
+use model::Severity;
+use pyo3::prelude::*;
+use runner::Sources;
+use units::{Language, Words};
+
+/// Something that is wrong with a document, a setting or a run: where, why, and what to do.
+#[pyclass(module = "meniscus", frozen, get_all, from_py_object)]
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    /// `error` or `warning`.
+    severity: String,
+    /// Stable code, such as `unknown-name`; empty for a wrong argument.
+    code: String,
+    /// What is wrong.
+    message: String,
+    /// What to do; empty if nothing is known.
+    remedy: String,
+    /// Further remarks.
+    notes: Vec<String>,
+    /// File or argument in which it is.
+    file: String,
+    /// Line, from 1; `None` without a place.
+    line: Option<usize>,
+    /// Column in characters, from 1; `None` without a place.
+    column: Option<usize>,
+    /// The text at the place; empty without a place.
+    text: String,
+}
+
+impl Diagnostic {
+    /// A diagnostic of a text. `file`: index of the text in the sources.
+    pub fn new(sources: &Sources, file: usize, found: &model::Diagnostic) -> Self {
+        let text = sources.texts().nth(file).map_or("", |(_, text)| text);
+        let span = found.span();
+        let end = text.floor_char_boundary(span.end.min(text.len()));
+        let start = text.floor_char_boundary(span.start.min(end));
+        let before = &text[..start];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let labels = found.labels.iter().map(|label| &label.text).filter(|text| !text.is_empty());
+        Self {
+            severity: severity(found.severity),
+            code: found.code.to_owned(),
+            message: english(&found.message),
+            remedy: found.hints.iter().map(english).collect::<Vec<_>>().join("; "),
+            notes: labels.chain(&found.notes).map(english).collect(),
+            file: sources.file_path(file).display().to_string(),
+            line: Some(1 + before.matches('\n').count()),
+            column: Some(1 + before[line_start..].chars().count()),
+            text: text[start..end].to_owned(),
+        }
+    }
+
+    /// A diagnostic without a place.
+    pub fn without_place(severity: Severity, code: &str, message: &Words, remedy: Option<&Words>) -> Self {
+        Self {
+            severity: self::severity(severity),
+            code: code.to_owned(),
+            message: english(message),
+            remedy: remedy.map(english).unwrap_or_default(),
+            notes: Vec::new(),
+            file: String::new(),
+            line: None,
+            column: None,
+            text: String::new(),
+        }
+    }
+
+    /// True for an error, false for a warning.
+    pub fn is_error(&self) -> bool {
+        self.severity == "error"
+    }
+
+    /// Text for a person: message, place and remedy.
+    pub fn described(&self) -> String {
+        let mut text = String::new();
+        if let (Some(line), Some(column)) = (self.line, self.column) {
+            text = format!("{}:{line}:{column}: ", self.file);
+        }
+        text.push_str(&self.message);
+        for more in self.notes.iter().chain(Some(&self.remedy).filter(|remedy| !remedy.is_empty())) {
+            text.push_str("\n  ");
+            text.push_str(more);
+        }
+        text
+    }
+}
+
+fn severity(severity: Severity) -> String {
+    match severity {
+        Severity::Error => "error".to_owned(),
+        Severity::Warning => "warning".to_owned(),
+    }
+}
+
+fn english(words: &Words) -> String {
+    in_keywords(&words.text(Language::English))
+}
+
+/// The fields of a diagnostic in their order, for pickles.
+type Fields = (String, String, String, String, Vec<String>, String, Option<usize>, Option<usize>, String);
+
+#[pymethods]
+impl Diagnostic {
+    #[new]
+    fn restore(fields: Fields) -> Self {
+        let (severity, code, message, remedy, notes, file, line, column, text) = fields;
+        Self { severity, code, message, remedy, notes, file, line, column, text }
+    }
+
+    fn __getnewargs__(&self) -> (Fields,) {
+        let Self { severity, code, message, remedy, notes, file, line, column, text } = self.clone();
+        ((severity, code, message, remedy, notes, file, line, column, text),)
+    }
+
+    fn __str__(&self) -> String {
+        format!("{}: {}", self.severity, self.described())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Diagnostic {}>", self.__str__())
+    }
+}

@@ -1,0 +1,128 @@
+//! Fits, and their results.
+
+use crate::opening::Sources;
+use crate::refusal::Refusal;
+use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profiles};
+use document::Document;
+use report::Report;
+use units::Language;
+use units::number::{Style, plain};
+
+/// Number of points of a drawn curve.
+const POINTS: usize = 600;
+
+/// A document used as a theory.
+#[derive(Clone, Debug)]
+pub struct Theory {
+    /// Source files.
+    pub sources: Sources,
+    /// The document.
+    pub document: Document,
+}
+
+/// A fitted theory.
+#[derive(Debug)]
+pub struct Fitted {
+    /// The theory.
+    pub theory: Theory,
+    /// The task of the fit.
+    pub task: Task,
+    /// The result of the fit.
+    pub outcome: Outcome,
+    /// The fitted curves.
+    pub traces: Vec<Trace>,
+    /// Profile intervals at 68 % and 95 %, one pair per varied parameter; empty without `--profile`.
+    pub intervals: Vec<Option<[Interval; 2]>>,
+}
+
+impl Fitted {
+    /// Runs a fit to its end. `progress` gets the number of trials after each.
+    ///
+    /// # Errors
+    /// A task that cannot be fitted, or a model without a finite curve.
+    pub fn complete(
+        theory: Theory,
+        task: Task,
+        with_profiles: bool,
+        progress: &mut dyn FnMut(usize),
+    ) -> Result<Self, Refusal> {
+        let mut fit =
+            Fit::new(&theory.document.program.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
+        while !fit.advance() {
+            progress(fit.trials());
+        }
+        let Some(mut outcome) = fit.outcome() else {
+            return Err(match fit.gave_up() {
+                true => Refusal::with_hint(
+                    "the model needs too many steps of the integration wherever it was tried",
+                    "give values from which it runs with --start NAME=VALUE, narrower ranges with --bounds NAME=LO..HI, or fit a shorter part of the record",
+                ),
+                false => Refusal::with_hint(
+                    "the model has no finite curve anywhere it was tried",
+                    "give values from which it runs with --start NAME=VALUE, and ranges with --bounds NAME=LO..HI",
+                ),
+            });
+        };
+        let intervals = if with_profiles { profiles(&mut fit, &mut outcome) } else { Vec::new() };
+        let traces = fit.traces(POINTS);
+        Ok(Self { theory, task, outcome, traces, intervals })
+    }
+
+    /// Remarks about the result, in sentences.
+    pub fn remarks(&self) -> Vec<String> {
+        let independent = &self.theory.document.program.model.independent;
+        report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), Language::English)
+    }
+
+    /// The fit as input of a report.
+    pub fn report<'a>(&'a self, notes: &'a [Vec<String>], command: &'a str) -> Report<'a> {
+        let name = self.theory.sources.path().file_name().and_then(|name| name.to_str());
+        Report {
+            document: &self.theory.document,
+            document_name: name.unwrap_or("the document"),
+            language: Language::of(&self.theory.document.program.language),
+            task: &self.task,
+            outcome: &self.outcome,
+            traces: &self.traces,
+            intervals: &self.intervals,
+            notes,
+            films: &[],
+            command,
+            version: env!("CARGO_PKG_VERSION"),
+            date: "",
+        }
+    }
+}
+
+fn refused(theory: &Theory, task: &Task, error: &FitError) -> Refusal {
+    let model = &theory.document.program.model;
+    let named = |place: usize| match task.varied.get(place).map(|varied| varied.target) {
+        Some(analysis::fit::Target::Parameter(index)) => model.parameters[index].name.clone(),
+        _ => "it".to_owned(),
+    };
+    let of_record = match error {
+        FitError::RecordEmpty(record) | FitError::BadErrors { record, .. } => task.records.get(*record),
+        _ => None,
+    };
+    let of_record = of_record.map(|record| format!("{}: ", record.name)).unwrap_or_default();
+    let message = format!("{}: {of_record}{error}", theory.sources.path().display());
+    match error {
+        FitError::VariedTwice(place) => {
+            Refusal::with_hint(message, format!("name {} once, in --vary or in --fix", named(*place)))
+        }
+        FitError::TooFew { .. } => Refusal::with_hint(message, "vary less, or fit a longer part of the record"),
+        FitError::BadErrors { first, .. } => {
+            let clock = &model.independent;
+            let first =
+                format!("{} = {} {}", clock.name, plain(clock.unit.from_si(*first), 6, Style::POINT), clock.unit);
+            Refusal::with_hint(
+                message,
+                format!("the first is at {}; correct its error, or leave the row out of the file", first.trim()),
+            )
+        }
+        FitError::NothingObserved | FitError::RecordEmpty(_) => {
+            Refusal::with_hint(message, "look at --from and --until, and at the column")
+        }
+        _ => Refusal::request(message),
+    }
+}

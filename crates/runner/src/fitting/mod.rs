@@ -1,0 +1,15 @@
+//! Documents as theories of measured data.
+
+mod fitted;
+mod json;
+mod ranking;
+mod settings;
+mod task;
+mod text;
+
+pub use fitted::{Fitted, Theory};
+pub use json::{fit_as_json, record_as_json};
+pub use ranking::{Contender, ranking_as_json, tied};
+pub use settings::FitSettings;
+pub use task::task;
+pub use text::{Columns, beginnings, fit_as_text, searches};

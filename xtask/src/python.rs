@@ -1,0 +1,62 @@
+//! The Python package: builds its wheel and tests it in an environment of its own.
+
+use crate::steps::{self, run};
+use crate::tools;
+use anyhow::{Context, Result, bail};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Greatest size of the wheel in bytes.
+const LARGEST: u64 = 2_000_000;
+
+/// Builds the wheel, installs it with the packages of `requirements.txt`, and runs the tests.
+pub fn test() -> Result<()> {
+    let package = steps::root().join("crates").join("python");
+    let folder = steps::target().join("python");
+    let environment = environment(&folder, &package.join("requirements.txt"))?;
+    let python = program(&environment, "python");
+    let wheel = wheel(&program(&environment, "maturin"), &package, &folder.join("wheel"))?;
+    let size = fs::metadata(&wheel)?.len();
+    println!("{}: {size} bytes", wheel.display());
+    if size > LARGEST {
+        bail!("the wheel is larger than {LARGEST} bytes");
+    }
+    let install = ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps"];
+    run(Command::new(&python).args(install).arg(&wheel))?;
+    run(&mut steps::cargo(&["build", "--package", "meniscus"]))?;
+    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
+    // No file of a cache is written beside the tests.
+    let tests = ["-B", "-m", "pytest", "--quiet", "-p", "no:cacheprovider"];
+    run(Command::new(&python).args(tests).current_dir(package).env("MENISCUS", program))
+}
+
+/// An environment with exactly these packages. One from the same list is used again.
+fn environment(folder: &Path, requirements: &Path) -> Result<PathBuf> {
+    let environment = folder.join("environment");
+    let list = fs::read_to_string(requirements).with_context(|| format!("cannot read {}", requirements.display()))?;
+    let stamp = environment.join("installed-from");
+    if fs::read_to_string(&stamp).is_ok_and(|installed| installed == list) {
+        return Ok(environment);
+    }
+    run(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(&environment))?;
+    let install = ["-m", "pip", "install", "--quiet", "--requirement"];
+    run(Command::new(program(&environment, "python")).args(install).arg(requirements))?;
+    fs::write(&stamp, list)?;
+    Ok(environment)
+}
+
+/// A program of an environment.
+fn program(environment: &Path, name: &str) -> PathBuf {
+    environment.join(if cfg!(windows) { "Scripts" } else { "bin" }).join(name)
+}
+
+/// Builds the wheel into a folder, which then holds nothing else.
+fn wheel(maturin: &Path, package: &Path, folder: &Path) -> Result<PathBuf> {
+    if folder.exists() {
+        fs::remove_dir_all(folder)?;
+    }
+    run(Command::new(maturin).args(["build", "--compression-level", "9", "--out"]).arg(folder).current_dir(package))?;
+    let wheel = fs::read_dir(folder)?.next().context("maturin has built no wheel")?;
+    Ok(wheel?.path())
+}

@@ -5,7 +5,8 @@ use crate::tracking::{Plan, Refusal};
 /// Checks that the strips of all surfaces in a plan fit into memory. `size`: width and height of the stored picture,
 /// px.
 ///
-/// The bound for bodies depends on their outline in the first picture. [`crate::tracking::Following::take`] checks it.
+/// The bound for bodies depends on their radius. [`crate::tracking::Following::take`] checks it as soon as the radius is certain, at most 32 frames
+/// after the click.
 ///
 /// # Errors
 ///

@@ -140,6 +140,8 @@ impl Following {
         }
         for body in &mut pass.bodies {
             body.take(frame, time, &plane, camera)?;
+            let taken = pass.taken + 1;
+            body.check(taken, self.plan.frames.len() - taken)?;
         }
         pass.differences.extend(pass.last.as_ref().map(|last| difference(last, &plane)));
         pass.last = Some(plane.uncoloured());

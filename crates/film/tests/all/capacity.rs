@@ -1,8 +1,9 @@
 //! The length of a film is refused before a frame is decoded, with the number at which the tracker would stop.
 
 use film::capacity::check;
+use film::tracking::body;
 use film::tracking::column::{Click, Settings};
-use film::tracking::{Following, Plan, Refusal, Surface};
+use film::tracking::{Following, Known, Plan, Refusal, Surface};
 
 /// A plan for one surface in so many frames.
 fn plan(settings: &Settings, frames: usize) -> Plan {
@@ -37,4 +38,25 @@ fn the_limit_is_that_of_the_tracker() {
     let start = Settings::new(Click { frame: 0, position: [80.0, 60.0] });
     assert_eq!(check(&plan(&start, 27_962), [160, 120]), Ok(()));
     assert_eq!(check(&plan(&start, 30_000), [160, 120]), Err(Refusal::Long { frames: 27_962 }));
+}
+
+/// Result of taking the first frames of so many, in which a disc rests.
+fn taken(frames: usize, first: usize) -> Result<(), Refusal> {
+    let [wide, high] = [300_usize, 240];
+    let far = |at: usize| libm::hypot((at % wide) as f64 - 150.0, (at / wide) as f64 - 120.0);
+    let grey = (0..wide * high).map(|at| if far(at) < 60.0 { 90 } else { 160 }).collect();
+    let plane = film::Plane::new(wide, high, grey).unwrap();
+    let keys = vec![Click { frame: 0, position: [150.0, 120.0] }];
+    let body = body::Settings { keys, radius: Some(60.0), readout: Known::Estimated };
+    let frames = (0..frames).map(|frame| (frame, frame as f64 / 30.0)).collect();
+    let mut following = Following::new(Plan { surfaces: Vec::new(), bodies: vec![body], marks: Vec::new(), frames })?;
+    (0..first).try_for_each(|_| following.take(plane.clone()))
+}
+
+#[test]
+fn a_film_that_is_too_long_for_a_body_is_refused_at_its_beginning() {
+    let Err(Refusal::Long { frames: most }) = taken(1_000_000, 40) else { panic!() };
+    assert!((3000..6000).contains(&most), "{most}");
+    assert_eq!(taken(most, 40), Ok(()));
+    assert_eq!(taken(most + 1, 40), Err(Refusal::Long { frames: most }));
 }

@@ -31,9 +31,13 @@ fn followed(stage: &Stage, body: usize, frames: usize, seed: u64) -> Result<(Tra
 }
 
 fn outcome(kind: Kind, seeds: std::ops::Range<u64>, frames: usize) -> Outcome {
+    outcome_of(seeds.map(|seed| (seed, Stage::new(kind, seed, 240, frames, seed % 2 == 0))), frames)
+}
+
+/// Sum over films, each with its seed.
+fn outcome_of(stages: impl Iterator<Item = (u64, Stage)>, frames: usize) -> Outcome {
     let mut sum = Outcome::default();
-    for seed in seeds {
-        let stage = Stage::new(kind, seed, 240, frames, seed % 2 == 0);
+    for (seed, stage) in stages {
         for body in 0..stage.bodies() {
             let (track, shift) = followed(&stage, body, frames, seed).expect("a track");
             sum.frames += frames;
@@ -72,6 +76,13 @@ fn a_grey_bob_is_followed_before_leaves() {
 fn a_bob_that_is_lost_before_boards_of_its_own_grey_is_in_doubt() {
     let outcome = outcome(Kind::Boards, 0..6, 40);
     assert_eq!(outcome.silent, 0, "{outcome:?}");
+}
+
+#[test]
+fn the_noise_of_colours_that_all_have_does_not_hide_a_body() {
+    let stages = |coloured: bool| (0..8).map(move |seed| (seed, Stage::new(Kind::Boards, seed, 240, 40, coloured)));
+    let [grey, coloured] = [false, true].map(|coloured| outcome_of(stages(coloured), 40));
+    assert!(coloured.right as f64 >= 0.75 * grey.right as f64, "{coloured:?}, without colours {grey:?}");
 }
 
 #[test]

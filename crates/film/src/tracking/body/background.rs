@@ -27,8 +27,10 @@ pub(crate) struct Compared<'a> {
     pub background: &'a Background,
     /// Brightness of the frame relative to the background, grey values.
     brighter: f32,
-    /// Standard deviation of a shade in the metric of [`distance`].
+    /// Standard deviation of a grey value.
     pub noise: f32,
+    /// Squared distance of colours that may be due to noise.
+    pub dull: f32,
 }
 
 /// Centre and radius of a disc, px.
@@ -123,8 +125,8 @@ impl Background {
             steps.iter().map(|[grey, blue, red]| [(grey - brighter).abs(), blue.abs(), red.abs()]).collect();
         // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
         let [grey, blue, red] = median_shade(&deviations, i16::cmp).map(|deviation| f32::from(deviation) / 0.6745);
-        let noise = distance([grey.max(LEAST), blue, red], [0.0; 3]).sqrt();
-        Compared { plane, background: self, brighter: f32::from(brighter), noise }
+        let dull = dull([blue, red]);
+        Compared { plane, background: self, brighter: f32::from(brighter), noise: grey.max(LEAST), dull }
     }
 }
 
@@ -142,7 +144,12 @@ impl Compared<'_> {
 
     /// Squared distance of a shade from the background; `None` if the background is unknown there.
     pub(crate) fn still(&self, shade: [f32; 3], column: i64, row: i64) -> Option<f32> {
-        Some(distance(shade, self.background.at(column, row)?.map(f32::from)))
+        Some(self.distance(shade, self.background.at(column, row)?.map(f32::from)))
+    }
+
+    /// Squared distance of two shades, without what noise adds to that of their colours.
+    pub(crate) fn distance(&self, one: [f32; 3], other: [f32; 3]) -> f32 {
+        distance(one, other, self.dull)
     }
 }
 
@@ -152,9 +159,15 @@ pub(crate) fn usual(planes: &[&Plane], column: i64, row: i64) -> [u8; 3] {
     median_shade(&shades, u8::cmp)
 }
 
+/// Squared distance of colours with noise of these standard deviations below which they are not distinguished; it exceeds 95 % of those by
+/// noise alone.
+pub(crate) fn dull([blue, red]: [f32; 2]) -> f32 {
+    6.0 * (blue * blue + red * red)
+}
+
 /// Squared distance of two shades. Colour differences have twice the weight: they and their noise are smaller than
-/// those of grey values.
-pub(crate) fn distance(one: [f32; 3], other: [f32; 3]) -> f32 {
+/// those of grey values. `dull` is taken from that of the colours, so that the noise of colours does not hide a difference of grey values.
+pub(crate) fn distance(one: [f32; 3], other: [f32; 3], dull: f32) -> f32 {
     let [grey, blue, red] = [one[0] - other[0], one[1] - other[1], one[2] - other[2]];
-    grey * grey + 2.0 * (blue * blue + red * red)
+    grey * grey + (2.0 * (blue * blue + red * red) - dull).max(0.0)
 }

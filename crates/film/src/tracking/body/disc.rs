@@ -62,10 +62,10 @@ pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
         for ((sine, cosine), inside) in circle.iter().zip(&mut inside) {
             let at = |radius: f64| shade(x + radius * cosine, y + radius * sine);
             *inside = at(radius - ACROSS);
-            roots += f64::from(distance(*inside, at(radius + ACROSS))).sqrt().min(60.0).sqrt();
+            roots += f64::from(distance(*inside, at(radius + ACROSS), 0.0)).sqrt().min(60.0).sqrt();
         }
         let usual = median_shade(&inside, f32::total_cmp);
-        let uneven = inside.iter().map(|shade| f64::from(distance(*shade, usual)).sqrt().min(60.0)).sum::<f64>();
+        let uneven = inside.iter().map(|shade| f64::from(distance(*shade, usual, 0.0)).sqrt().min(60.0)).sum::<f64>();
         let mean = roots / f64::from(DIRECTIONS);
         mean * mean - UNEVEN * uneven / f64::from(DIRECTIONS)
     };

@@ -1,6 +1,7 @@
 //! Track with errors and doubts from the sightings of a body.
 
 use crate::tracking::body::refining::Seen;
+use crate::tracking::body::smooth::Motion;
 use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
 use crate::tracking::similarity::Similarity;
@@ -9,8 +10,12 @@ use units::order::sort_by;
 
 /// Minimum agreement of a reliable point, relative to the best possible one.
 const AGREES: f64 = 0.5;
+/// Minimum correlation of a reliable point with the template.
+const LIKE: f64 = 0.4;
 /// Maximum deviation of a reliable point from its neighbours, px and relative to the radius.
 const ASIDE: (f64, f64) = (2.5, 0.2);
+/// Maximum standard error of a reliable point, px and relative to the radius.
+const WIDE: (f64, f64) = (2.5, 0.5);
 /// Deviation in standard errors from which it replaces the standard error.
 const DEVIATION: f64 = 4.0;
 /// Number of successive frames and extent in px of a rest.
@@ -39,7 +44,9 @@ pub(super) fn joined(
     sort_by(&mut order, |a, b| seen[*a].time.total_cmp(&seen[*b].time));
     let mut points: Vec<Point> = Vec::with_capacity(seen.len());
     let mut formal = [Vec::new(), Vec::new()];
-    let mut sizes = Vec::with_capacity(seen.len());
+    let (mut limits, mut widest) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
+    let mut unsure = Vec::with_capacity(seen.len());
+    let moved: Vec<bool> = moved.iter().enumerate().map(|(key, moved)| *moved && moves_mostly(seen, key)).collect();
     for at in order {
         let (one, camera) = (&seen[at], &cameras[at]);
         let now = one.now;
@@ -52,58 +59,62 @@ pub(super) fn joined(
             position: camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
-            doubtful: one.agreement < AGREES
-                || one.aside
-                || !one.moves
-                || !one.alone
-                || moved.get(one.key) == Some(&false),
+            doubtful: !one.moves || !one.alone || moved.get(one.key) == Some(&false),
         });
-        sizes.push(templates.get(one.key).map_or(0.0, |template| template.disc.outline));
+        unsure.push(one.agreement < AGREES || now.score < LIKE || one.aside);
+        let radius = templates.get(one.key).map_or(0.0, |template| template.disc.outline);
+        limits.push(ASIDE.0.max(ASIDE.1 * radius));
+        widest.push(WIDE.0.max(WIDE.1 * radius));
     }
-    let times: Vec<f64> = points.iter().map(|point| point.time).collect();
-    let mut aside = vec![0.0; points.len()];
+    let motion = Motion::new(
+        points.iter().map(|point| point.time).collect(),
+        points.iter().map(|point| point.position).collect(),
+    );
+    let outliers = outliers(&motion, &limits);
+    let off: Vec<[f64; 2]> =
+        (0..points.len()).map(|at| motion.distance(at, |one| !outliers[one]).unwrap_or_default()).collect();
     for (k, formal) in formal.iter().enumerate() {
         let values: Vec<f64> = points.iter().map(|point| point.position[k]).collect();
-        let (sigmas, distances) = (scaled(&times, &values, formal), distances(&times, &values));
-        for (at, (point, sigma)) in points.iter_mut().zip(sigmas).enumerate() {
-            let distance = distances.get(at).copied().unwrap_or(0.0);
-            point.sigma[k] = if distance > DEVIATION * sigma { distance } else { sigma };
-            aside[at] = libm::hypot(aside[at], distance);
+        let times: Vec<f64> = points.iter().map(|point| point.time).collect();
+        for ((point, sigma), off) in points.iter_mut().zip(scaled(&times, &values, formal)).zip(&off) {
+            point.sigma[k] = if off[k] > DEVIATION * sigma { off[k] } else { sigma };
         }
     }
-    for (at, (point, size)) in points.iter_mut().zip(sizes).enumerate() {
-        let limit = ASIDE.0.max(ASIDE.1 * size);
-        // A wrong position displaces the interpolation of its neighbours; it deviates most itself.
-        let around = &aside[at.saturating_sub(2)..(at + 3).min(aside.len())];
-        let furthest = around.iter().all(|other| *other <= aside[at]);
-        point.doubtful |= aside[at] > limit && furthest || point.sigma.iter().any(|sigma| *sigma > limit);
+    for (at, point) in points.iter_mut().enumerate() {
+        let is_wide = point.sigma.iter().any(|sigma| *sigma > widest[at]);
+        point.doubtful |= outliers[at] || is_wide;
     }
     for at in resting(&points) {
         points[at].doubtful = true;
+    }
+    // What the look leaves open, the motion of certain frames on both sides may tell.
+    let certain: Vec<bool> = points.iter().zip(&unsure).map(|(point, unsure)| !point.doubtful && !unsure).collect();
+    for (at, point) in points.iter_mut().enumerate().filter(|(at, _)| unsure[*at]) {
+        let off = motion.distance(at, |one| certain[one]);
+        point.doubtful |= off.is_none_or(|off| length(off) > limits[at]);
     }
     let outline =
         templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
     Track { points, readout, lost, outline, ..Track::default() }
 }
 
-/// Distance of each value from the cubic through two neighbours on each side; 0 near the ends and beside gaps.
-fn distances(times: &[f64], values: &[f64]) -> Vec<f64> {
-    let mut distances = vec![0.0; values.len()];
-    for (at, (times, values)) in times.windows(5).zip(values.windows(5)).enumerate() {
-        let weight = |k: usize| {
-            [0, 1, 3, 4]
-                .into_iter()
-                .filter(|j| *j != k)
-                .map(|j| (times[2] - times[j]) / (times[k] - times[j]))
-                .product::<f64>()
-        };
-        let led: f64 = [0, 1, 3, 4].into_iter().map(|k| weight(k) * values[k]).sum();
-        // No extrapolation across gaps.
-        if times[4] - times[0] < 6.0 * (times[3] - times[2]).min(times[2] - times[1]) {
-            distances[at + 2] = (values[2] - led).abs();
-        }
-    }
-    distances
+/// True if the pixels of a template rest in fewer frames than they move.
+fn moves_mostly(seen: &[Seen], key: usize) -> bool {
+    let (moves, rests): (Vec<&Seen>, Vec<&Seen>) = seen.iter().filter(|one| one.key == key).partition(|one| one.moves);
+    moves.len() >= rests.len()
+}
+
+/// True for positions that lie more than their limit (px) from where their neighbours lead, unless the body bounces there.
+fn outliers(motion: &Motion, limits: &[f64]) -> Vec<bool> {
+    let count = limits.len();
+    let off: Vec<f64> = (0..count).map(|at| motion.between(at, |_| true).map_or(0.0, length)).collect();
+    // A wrong position displaces the interpolation of its neighbours; it deviates most itself.
+    let is_furthest = |at: usize| off[at.saturating_sub(2)..(at + 3).min(count)].iter().all(|other| *other <= off[at]);
+    (0..count).map(|at| off[at] > limits[at] && is_furthest(at) && !motion.bounces(at, limits[at])).collect()
+}
+
+fn length([x, y]: [f64; 2]) -> f64 {
+    libm::hypot(x, y)
 }
 
 /// Indices of points at which the track stops abruptly; all indices if it never moves.

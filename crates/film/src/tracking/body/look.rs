@@ -1,6 +1,6 @@
 //! Appearance of a body compared with the stationary background.
 
-use crate::tracking::body::background::{Compared, distance};
+use crate::tracking::body::background::Compared;
 use crate::tracking::median::median_shade;
 
 /// Fraction of the deviation by which the appearance is updated in each frame.
@@ -70,7 +70,8 @@ impl Look {
         }
         let shades: Vec<[f32; 3]> = spots.iter().map(|spot: &Spot| spot.first).collect();
         let most = median_shade(&shades, f32::total_cmp);
-        let others: Vec<[f32; 3]> = shades.iter().copied().filter(|shade| distance(*shade, most) > OTHER).collect();
+        let others: Vec<[f32; 3]> =
+            shades.iter().copied().filter(|shade| frame.distance(*shade, most) > OTHER).collect();
         let usual = [most, if others.len() * 20 > shades.len() { median_shade(&others, f32::total_cmp) } else { most }];
         Look { spots, ring, usual }
     }
@@ -82,8 +83,9 @@ impl Look {
         for spot in self.spots.iter().step_by((self.spots.len() / most).max(1)) {
             let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
             let shade = frame.shade(x, y);
-            let usual = distance(shade, self.usual[0]).min(distance(shade, self.usual[1]));
-            let body = distance(shade, spot.now).min(distance(shade, spot.first)).min(usual + TURNED * alike);
+            let usual = frame.distance(shade, self.usual[0]).min(frame.distance(shade, self.usual[1]));
+            let own = frame.distance(shade, spot.now).min(frame.distance(shade, spot.first));
+            let body = own.min(usual + TURNED * alike);
             let behind = frame.still(shade, x, y);
             let unknown = UNKNOWN.max(UNKNOWN_ALIKE * alike);
             let apart = behind.and_then(|_| frame.still(spot.now, x, y)).unwrap_or(unknown);

@@ -13,6 +13,7 @@ mod moving;
 mod part;
 mod refining;
 mod rival;
+mod smooth;
 mod start;
 mod starting;
 mod template;
@@ -180,6 +181,19 @@ impl Body {
         let sight = self.follow(frame, time, plane, camera)?;
         let Some(start) = self.start.take() else { return Ok(sight) };
         Ok(self.leave(start, Shot { frame, time, plane: plane.clone(), camera })?.unwrap_or(sight))
+    }
+
+    /// Checks that the pixels around the body will fit into memory after `frames` further frames. Until the radius is certain, any number fits.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Long`] with the number of frames that fit, `taken` of which have been taken.
+    pub(crate) fn check(&self, taken: usize, frames: usize) -> Result<(), Refusal> {
+        let Some(last) = self.seen.last().filter(|_| self.start.is_none() && self.tracker.is_some()) else {
+            return Ok(());
+        };
+        let most = BYTES.saturating_sub(self.bytes) / last.part.plane.grey().len().max(1);
+        if frames > most { Err(Refusal::Long { frames: taken + most }) } else { Ok(()) }
     }
 
     /// Finds the body in the next frame.

@@ -64,6 +64,8 @@ struct Cells {
     shades: [Vec<[f32; 3]>; 2],
     /// Squared distance of shades that may be due to noise.
     alike: f32,
+    /// Squared distance of colours that may be due to noise.
+    dull: f32,
 }
 
 impl Cells {
@@ -86,7 +88,8 @@ impl Cells {
         };
         // Means over cells have less noise, but compression and fractional shifts still change them.
         let noise = (now.noise / size as f32).max(1.5);
-        Cells { reach, shades: [all(first), all(now)], alike: ALIKE * ALIKE * noise * noise }
+        let dull = now.dull / (size * size) as f32;
+        Cells { reach, shades: [all(first), all(now)], alike: ALIKE * ALIKE * noise * noise, dull }
     }
 
     fn shade(&self, frame: usize, [column, row]: [i64; 2]) -> Option<[f32; 3]> {
@@ -98,7 +101,7 @@ impl Cells {
     /// Change from a cell of the first frame to a cell of the second, 0 to 1.
     fn change(&self, from: [i64; 2], to: [i64; 2]) -> f64 {
         let Some((one, other)) = self.shade(0, from).zip(self.shade(1, to)) else { return 0.0 };
-        let far = distance(one, other);
+        let far = distance(one, other, self.dull);
         f64::from(far / (far + self.alike))
     }
 

@@ -15,7 +15,7 @@ const CLOSER: f64 = 2.0;
 /// A meeting is over if no rival has been seen in so many frames.
 const ALONE: usize = 10;
 /// Positions that are needed to tell where a motion leads.
-const LEADS: usize = 4;
+const LEADS: usize = 3;
 
 /// A meeting with a body of the same look.
 struct Meeting {

@@ -1,7 +1,7 @@
 //! Disc of a clicked body from the pixels that it covers in the frame of the click and has left some frames later.
 
 use crate::plane::Plane;
-use crate::tracking::body::background::{LEAST, distance, usual};
+use crate::tracking::body::background::{LEAST, distance, dull, usual};
 use crate::tracking::body::disc::{BESIDE, Disc, SMALLEST};
 use crate::tracking::body::look::ALIKE;
 use crate::tracking::median::median;
@@ -64,13 +64,14 @@ impl Changes {
             differences.iter_mut().for_each(|step| step[0] -= brighter);
             // 0.6745 converts the median absolute deviation of a normal distribution to its standard deviation.
             let noise = [0, 1, 2].map(|k| middle(k, &differences, 0.0, true) / 0.6745);
-            let alike = ALIKE * ALIKE * distance([noise[0].max(LEAST), noise[1], noise[2]], [0.0; 3]);
+            let grey = noise[0].max(LEAST);
+            let (alike, dull) = (ALIKE * ALIKE * grey * grey, dull([noise[1], noise[2]]));
             let mut sums = Vec::with_capacity((width + 1) * height);
             for row in differences.chunks(width.max(1)) {
                 let mut sum = 0.0;
                 sums.push(sum);
                 sums.extend(row.iter().map(|step| {
-                    let far = distance(*step, [0.0; 3]);
+                    let far = distance(*step, [0.0; 3], dull);
                     sum += f64::from(far / (far + alike));
                     sum
                 }));

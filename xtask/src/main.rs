@@ -21,6 +21,7 @@ cargo xtask lab     build the page and open the laboratory in the browser; `lab 
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
                     also the long ones: the class server under load and killed, the Python package
+cargo xtask python  build the Python package, target/python/wheel, and test it
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
                     a fifth below those of xtask/ratios.txt; `bench commit` writes that file
@@ -44,6 +45,7 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["page"] => steps::step("the page", page::build).map(|page| println!("{}", page.display())),
         ["test"] => checks::all(),
         ["test", "full"] => checks::full(),
+        ["python"] => steps::step("the Python package", python::test),
         ["texts"] => texts::update(&steps::root()),
         ["bench"] => bench::all(false),
         ["bench", "commit"] => bench::all(true),

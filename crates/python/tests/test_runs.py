@@ -1,8 +1,11 @@
 """Runs: closed forms, units, columns, and the bits of the program."""
 
+import os
+import signal
 import threading
 
 import numpy
+import pint
 import pytest
 
 import meniscus
@@ -46,7 +49,10 @@ def test_a_run_has_the_bits_of_the_program(program, name):
 
 @pytest.mark.parametrize(
     "given, centimetres",
-    [(3, 3.0), (3.5, 3.5), (numpy.float32(3), 3.0), ("3", 3.0), ("30 mm", 3.0), ("30 [mm]", 3.0), ("0.03 m", 3.0), ("2*1.5 [cm]", 3.0)],
+    [
+        (pint.UnitRegistry().Quantity(30, "mm"), 3.0),
+        (3, 3.0), (3.5, 3.5), (numpy.float32(3), 3.0), ("3", 3.0), ("30 mm", 3.0), ("30 [mm]", 3.0), ("0.03 m", 3.0), ("2*1.5 [cm]", 3.0),
+    ],
 )
 def test_values_have_the_declared_unit_or_their_own(damped, given, centimetres):
     assert damped.run(x_0=given, until="10 ms")["x"][0] == pytest.approx(centimetres, abs=1e-15)
@@ -74,3 +80,10 @@ def test_threads_run_side_by_side_with_the_same_bits(damped):
     [thread.start() for thread in threads]
     [thread.join() for thread in threads]
     assert found == [expected] * 8
+
+
+def test_a_long_run_leaves_the_interpreter_to_other_threads_and_can_be_interrupted(damped):
+    interrupt = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
+    interrupt.start()
+    with pytest.raises(KeyboardInterrupt):
+        damped.run(until=1e9, columns="t")

@@ -31,6 +31,13 @@ def test_a_table_is_a_frame_with_units(damped):
     assert "x [cm]" in table.to_pandas(headings=True)
 
 
+def test_a_table_is_a_dataset_with_units(damped):
+    table = damped.run(until=0.01)
+    data = table.to_xarray()
+    assert data["x"].dims == ("t",) and data["x"].attrs["units"] == "cm" and data["t"].attrs["units"] == "s"
+    assert (data["x"].to_numpy() == table["x"]).all()
+
+
 def test_arrow_shares_the_memory_and_has_units():
     table = meniscus.open(WORDS).run()
     arrow = table.to_arrow()

@@ -1,5 +1,6 @@
 //! Checks beyond the compiler: dependencies between crates, circles between the files of a crate, access of the core to
-//! the outside, owned parts, long files, and paths of a machine.
+//! the outside, owned parts, long files, titles of diagnostics, and paths of a
+//! machine.
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test that cannot go on has failed")]
 
@@ -9,4 +10,5 @@ mod lengths;
 mod machine;
 mod parts;
 mod texts;
+mod titles;
 mod uses;

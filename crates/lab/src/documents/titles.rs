@@ -172,34 +172,3 @@ pub fn title(code: &str, language: Language) -> &'static str {
         _ => language.say("The document"),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    /// Collects the codes used in the sources below a folder.
-    fn codes(folder: &Path, found: &mut Vec<String>) {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                codes(&path, found);
-            } else {
-                let text = std::fs::read_to_string(&path).unwrap();
-                for start in ["Diagnostic::error(", "Diagnostic::warning("] {
-                    let calls = text.split(start).skip(1).filter_map(|call| call.trim_start().strip_prefix('"'));
-                    found.extend(calls.filter_map(|call| Some(call.split_once('"')?.0.to_owned())));
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn every_code_has_a_title_of_its_own() {
-        let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-        let mut found = Vec::new();
-        ["model/src", "document/src"].iter().for_each(|folder| codes(&crates.join(folder), &mut found));
-        assert!(found.len() > 100, "only {} codes were found", found.len());
-        found.retain(|code| super::of(code) == super::of("no such code"));
-        assert!(found.is_empty(), "{found:?}");
-    }
-}

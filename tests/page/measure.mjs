@@ -211,7 +211,9 @@ async function measureFrames() {
 }
 
 /** The time that the page shows, in the unit of the model. */
-const clock = async (page) => parseFloat(await page.locator("#clock").textContent());
+async function clock(page) {
+  return parseFloat(await page.locator("#clock").textContent());
+}
 
 /** What a playing page does in some seconds: its frames, and milliseconds of script and of the main thread altogether. */
 async function framesOf(context, page) {

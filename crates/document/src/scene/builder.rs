@@ -6,7 +6,7 @@ use super::quantity::{Addition, Quantity};
 use super::space::Space;
 use super::space::marks::Marks;
 use super::translate::SceneText;
-use super::values::Values;
+use super::value_list::ValueList;
 use crate::expressions::{Expressions, Placed};
 use model::{Diagnostic, Span};
 use program::{Element, Graph, Scene, Trail};
@@ -23,7 +23,7 @@ pub struct Builder<'b, 'a> {
     pub quantity: Quantity,
     /// Places of the elements in the picture; `None` if not requested.
     pub marks: Option<Marks>,
-    values: Values,
+    values: ValueList,
     trails: Vec<Trail>,
     /// Index of the value that holds the length represented by one unit of the drawing, from the first frame of lengths.
     length: Option<usize>,
@@ -69,7 +69,7 @@ impl<'b, 'a> Builder<'b, 'a> {
             ids: Ids::default(),
             quantity: Quantity::default(),
             marks,
-            values: Values::default(),
+            values: ValueList::default(),
             trails: Vec::new(),
             length: None,
             texts: Vec::new(),
@@ -127,7 +127,7 @@ impl Builder<'_, '_> {
     pub fn value(&mut self, Placed { value, span }: Placed) -> Option<usize> {
         let index = self.values.add(value);
         if index.is_none() {
-            self.expressions.error("too-large", Values::too_many(), span);
+            self.expressions.error("too-large", ValueList::too_many(), span);
         }
         index
     }

@@ -19,6 +19,7 @@ mod space;
 mod style;
 mod template;
 mod translate;
+mod value_list;
 mod values;
 mod xml;
 

@@ -1,51 +1,12 @@
-//! Texts and values of a scene.
+//! Texts and values in the elements of a scene.
 
 use super::builder::Builder;
 use super::template::{self, RawPiece, normalised};
 use super::translate::{SceneText, has_word};
 use crate::expressions::Placed;
 use program::{Compiled, Kind, NodeId, Piece, Template};
-use std::collections::BTreeMap;
 use std::ops::Range;
-use units::{Unit, Words, words};
-
-/// Maximum number of values of a scene; all are computed for every frame.
-const VALUES: usize = 10_000;
-
-/// Values of a scene so far; equal values share one index.
-#[derive(Default)]
-pub struct Values {
-    list: Vec<Compiled>,
-    /// Indices of the values of each node.
-    of_node: BTreeMap<NodeId, Vec<usize>>,
-}
-
-impl Values {
-    /// Index of a value, which is added if it is new. `None` if there are too many.
-    pub fn add(&mut self, compiled: Compiled) -> Option<usize> {
-        let same = self.of_node.entry(compiled.node).or_default();
-        let known = same.iter().copied().find(|index| self.list.get(*index) == Some(&compiled));
-        if known.is_some() {
-            return known;
-        }
-        if self.list.len() == VALUES {
-            return None;
-        }
-        same.push(self.list.len());
-        self.list.push(compiled);
-        Some(self.list.len() - 1)
-    }
-
-    /// Message about too many values.
-    pub fn too_many() -> Words {
-        words!("a scene cannot have more than {VALUES} values")
-    }
-
-    /// The values, by index.
-    pub fn into_list(self) -> Vec<Compiled> {
-        self.list
-    }
-}
+use units::{Unit, words};
 
 impl Builder<'_, '_> {
     /// Compiles a text and records it for translations.

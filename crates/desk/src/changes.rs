@@ -2,6 +2,7 @@
 
 use crate::Announcement;
 use crate::removed::Removed;
+use play::Outcome;
 use std::ops::BitOr;
 
 /// Parts of a desk that an operation has changed, the events to announce, and a removal that can be undone. The desk
@@ -72,40 +73,11 @@ impl BitOr for Changes {
     }
 }
 
-/// Result of an operation on a part: its changes, and the value for the caller. An operation that is refused changes
-/// nothing.
-pub trait Outcome {
-    /// Value for the caller.
-    type Value;
-
-    /// Splits the result.
-    fn split(self) -> (Changes, Self::Value);
-}
-
-impl Outcome for Changes {
+impl Outcome<Self> for Changes {
     type Value = ();
 
-    fn split(self) -> (Changes, ()) {
+    fn split(self) -> (Self, ()) {
         (self, ())
-    }
-}
-
-impl<T> Outcome for (T, Changes) {
-    type Value = T;
-
-    fn split(self) -> (Changes, T) {
-        (self.1, self.0)
-    }
-}
-
-impl<O: Outcome, E> Outcome for Result<O, E> {
-    type Value = Result<O::Value, E>;
-
-    fn split(self) -> (Changes, Self::Value) {
-        match self.map(O::split) {
-            Ok((changes, value)) => (changes, Ok(value)),
-            Err(error) => (Changes::NONE, Err(error)),
-        }
     }
 }
 

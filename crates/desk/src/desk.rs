@@ -2,7 +2,7 @@
 //! an operation changes, and what follows for the others.
 
 use crate::announcement::{Announcement, Announcements};
-use crate::changes::{Changes, Outcome, Revision};
+use crate::changes::{Changes, Revision};
 use crate::cycles::{Cycles, ShownCycles};
 use crate::films::{self, FilmOpening, Films, Kept, ProjectFilm, ShownFilms, Tracked};
 use crate::fits::{FitData, Fits, InProcess, ShownFits, Workers};
@@ -14,7 +14,7 @@ use crate::sizes::{resized, with_present_sizes};
 use crate::writing::{DrawingPlaces, Sketching, Writing};
 use crate::{FilmIdentity, Refusal};
 use document::Document;
-use play::{Play, PlotId};
+use play::{Outcome, Play, PlotId};
 use saved::Item;
 use saved::format::Content;
 
@@ -88,7 +88,7 @@ impl Desk {
     }
 
     /// Notes the changes of an operation. Returns its value for the caller.
-    fn noted<O: Outcome>(&mut self, outcome: O) -> O::Value {
+    fn noted<O: Outcome<Changes>>(&mut self, outcome: O) -> O::Value {
         let (changes, value) = outcome.split();
         self.note(changes);
         value
@@ -243,7 +243,10 @@ impl Desk {
     }
 
     /// Changes the records. Everything that shows measured values follows.
-    pub fn change_records<O: Outcome>(&mut self, change: impl FnOnce(&mut Records, OpenDocument<'_>) -> O) -> O::Value {
+    pub fn change_records<O: Outcome<Changes>>(
+        &mut self,
+        change: impl FnOnce(&mut Records, OpenDocument<'_>) -> O,
+    ) -> O::Value {
         let outcome = change(&mut self.records, OpenDocument { play: &self.play, document: &self.document });
         self.noted(outcome)
     }
@@ -326,7 +329,7 @@ impl Desk {
     }
 
     /// Changes films in a way that leaves the record of the open film as it is.
-    pub fn change_films<O: Outcome>(&mut self, change: impl FnOnce(&mut Films, &Play) -> O) -> O::Value {
+    pub fn change_films<O: Outcome<Changes>>(&mut self, change: impl FnOnce(&mut Films, &Play) -> O) -> O::Value {
         let outcome = change(&mut self.films, &self.play);
         self.noted(outcome)
     }
@@ -432,7 +435,7 @@ impl Desk {
     }
 
     /// Changes settings, queue or results of fits.
-    pub fn change_fits<O: Outcome>(&mut self, change: impl FnOnce(&mut Fits, FitData<'_>) -> O) -> O::Value {
+    pub fn change_fits<O: Outcome<Changes>>(&mut self, change: impl FnOnce(&mut Fits, FitData<'_>) -> O) -> O::Value {
         let open = OpenDocument { play: &self.play, document: &self.document };
         let outcome = change(&mut self.fits, FitData { open, records: &self.records, films: &self.films });
         self.noted(outcome)

@@ -40,7 +40,7 @@ pub use saved;
 pub use units::number;
 
 pub use announcement::Announcement;
-pub use changes::{Changes, Outcome, Revision};
+pub use changes::{Changes, Revision};
 pub use cycles::{CycleColumn, Cycles, CyclesView, ShownCycles};
 pub use desk::Desk;
 pub use films::{

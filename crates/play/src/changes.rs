@@ -102,39 +102,39 @@ impl BitOrAssign for Changes {
     }
 }
 
-/// Result of an operation on a part: its changes, and the value for the caller. An operation that is refused changes
-/// nothing.
-pub trait Outcome {
+/// Result of an operation on a part: its changes, which are of the type `C`, and the value for the caller. An operation that
+/// is refused changes nothing. The default of `C` is no change.
+pub trait Outcome<C> {
     /// Value for the caller.
     type Value;
 
     /// Splits the result.
-    fn split(self) -> (Changes, Self::Value);
+    fn split(self) -> (C, Self::Value);
 }
 
-impl Outcome for Changes {
+impl Outcome<Self> for Changes {
     type Value = ();
 
-    fn split(self) -> (Changes, ()) {
+    fn split(self) -> (Self, ()) {
         (self, ())
     }
 }
 
-impl<T> Outcome for (T, Changes) {
+impl<T, C> Outcome<C> for (T, C) {
     type Value = T;
 
-    fn split(self) -> (Changes, T) {
+    fn split(self) -> (C, T) {
         (self.1, self.0)
     }
 }
 
-impl<O: Outcome, E> Outcome for Result<O, E> {
+impl<C: Default, O: Outcome<C>, E> Outcome<C> for Result<O, E> {
     type Value = Result<O::Value, E>;
 
-    fn split(self) -> (Changes, Self::Value) {
+    fn split(self) -> (C, Self::Value) {
         match self.map(O::split) {
             Ok((changes, value)) => (changes, Ok(value)),
-            Err(error) => (Changes::NONE, Err(error)),
+            Err(error) => (C::default(), Err(error)),
         }
     }
 }

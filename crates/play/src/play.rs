@@ -78,7 +78,7 @@ impl Play {
     }
 
     /// Notes the changes of an operation. Returns its value for the caller.
-    fn noted<O: Outcome>(&mut self, outcome: O) -> O::Value {
+    fn noted<O: Outcome<Changes>>(&mut self, outcome: O) -> O::Value {
         let (changes, value) = outcome.split();
         self.note(changes);
         value
@@ -243,7 +243,7 @@ impl Play {
     }
 
     /// Operates the time line: play, pause, step, scrub, keep runs.
-    pub fn change_run<O: Outcome>(&mut self, change: impl FnOnce(&mut TimeLine, &Basis) -> O) -> O::Value {
+    pub fn change_run<O: Outcome<Changes>>(&mut self, change: impl FnOnce(&mut TimeLine, &Basis) -> O) -> O::Value {
         let outcome = change(&mut self.line, &self.basis);
         self.noted(outcome)
     }
@@ -259,7 +259,7 @@ impl Play {
     }
 
     /// Sets parameters, states, method, step and curves, drags a part of the scene, or presses a button.
-    pub fn change_settings<O: Outcome>(&mut self, change: impl FnOnce(&mut Settings<'_>) -> O) -> O::Value {
+    pub fn change_settings<O: Outcome<Changes>>(&mut self, change: impl FnOnce(&mut Settings<'_>) -> O) -> O::Value {
         let outcome = change(&mut self.controls.settings(&self.basis, &mut self.line, &mut self.values));
         self.noted(outcome)
     }
@@ -278,7 +278,7 @@ impl Play {
     }
 
     /// Changes settings, cursors or points of plots, or adds plots.
-    pub fn change_plots<O: Outcome>(&mut self, change: impl FnOnce(&mut Plots, OpenRun<'_>) -> O) -> O::Value {
+    pub fn change_plots<O: Outcome<Changes>>(&mut self, change: impl FnOnce(&mut Plots, OpenRun<'_>) -> O) -> O::Value {
         let outcome = change(&mut self.plots, OpenRun { basis: &self.basis, line: &self.line });
         self.noted(outcome)
     }
@@ -318,7 +318,10 @@ impl Play {
     }
 
     /// Changes answers to questions.
-    pub fn change_answers<O: Outcome>(&mut self, change: impl FnOnce(&mut Answers, OpenRun<'_>) -> O) -> O::Value {
+    pub fn change_answers<O: Outcome<Changes>>(
+        &mut self,
+        change: impl FnOnce(&mut Answers, OpenRun<'_>) -> O,
+    ) -> O::Value {
         let outcome = change(&mut self.answers, OpenRun { basis: &self.basis, line: &self.line });
         self.noted(outcome)
     }
@@ -352,7 +355,7 @@ impl Play {
     }
 
     /// Judges the author's claims.
-    pub fn change_claims<O: Outcome>(&mut self, change: impl FnOnce(&mut Claims, &Basis) -> O) -> O::Value {
+    pub fn change_claims<O: Outcome<Changes>>(&mut self, change: impl FnOnce(&mut Claims, &Basis) -> O) -> O::Value {
         let outcome = change(&mut self.claims, &self.basis);
         self.noted(outcome)
     }

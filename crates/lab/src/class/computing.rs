@@ -51,11 +51,6 @@ impl Computing {
         !self.orders.is_empty()
     }
 
-    /// True if something has been computed since the last exchange.
-    pub fn has_heard(&self) -> bool {
-        self.pool.has_heard()
-    }
-
     /// Ends all computations.
     pub fn end(&mut self) {
         self.orders.clear();

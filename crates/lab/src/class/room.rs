@@ -253,11 +253,11 @@ impl Room {
                 let goes_on = !waits && self.work_for_a_slice();
                 browser::breathe().await;
                 self.show_sometimes().await;
+                // Workers that have computed something have called this.
                 if self.is_asked.get_untracked() {
                     continue;
                 }
-                let is_called_again = waits && !self.computing.with_untracked(Computing::has_heard);
-                if is_called_again || !(waits || goes_on) {
+                if waits || !goes_on {
                     self.is_computing.set_silent(false);
                     return if !waits {
                         self.show().await

@@ -126,11 +126,6 @@ impl Pool {
         self.members.push_mut(Member { name, worker, order: None, answers: false, _calls: calls })
     }
 
-    /// True if something was heard since the last [`Pool::hear`].
-    pub fn has_heard(&self) -> bool {
-        !self.inbox.borrow().is_empty()
-    }
-
     /// Messages since the last call, in the order of time, with the numbers of the orders.
     pub fn hear(&mut self) -> Vec<(u32, Heard)> {
         let mut all = Vec::new();

@@ -1,4 +1,4 @@
-// What a student's browser keeps for a class server: values by key, and the outbox with the parts of hand-ins that the server does not
+// Storage of a student's browser for a class server: values by key, and the outbox with the parts of hand-ins that the server does not
 // have yet. Several tabs share it without a lock, so each part that waits has a key of its own and is never changed: it is added, and
 // removed once the server has it. Without storage everything lives as long as the page.
 const classStorage = (server) => {

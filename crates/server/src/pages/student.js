@@ -60,7 +60,7 @@
         const { highest } = await response.json();
         storage.acknowledge(batch, highest);
         [problem, pause] = ["", FIRST];
-        if (storage.waiting().length) timer = setTimeout(send, 0);
+        if (storage.keys("waiting:").length) timer = setTimeout(send, 0);
       } else if (response.status === 409) {
         // Another device of this seat has used the numbers.
         storage.renumber((await response.json()).highest);
@@ -208,7 +208,7 @@
   const stored = () => make("a", { href: `${server}/stored`, target: "_blank", rel: "noreferrer", textContent: words().stored });
   const line = () => {
     const own = words();
-    const count = storage.waiting().length;
+    const count = storage.keys("waiting:").length;
     const waits = count === 0 ? "" : count === 1 ? own.waits_one : own.waits.replace("#", count);
     const closes = state?.settings.closes;
     const accepts = !state || (state.accepts && (!closes || Date.now() + offset < closes));

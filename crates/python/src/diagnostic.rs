@@ -14,9 +14,9 @@ pub struct Diagnostic {
     severity: String,
     /// Stable code, such as `unknown-name`; empty for a wrong argument.
     code: String,
-    /// What is wrong.
+    /// Sentence about the fault.
     message: String,
-    /// What to do; empty if nothing is known.
+    /// Action that mends it; empty if none is known.
     remedy: String,
     /// Further remarks.
     notes: Vec<String>,

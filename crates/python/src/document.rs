@@ -34,7 +34,7 @@ const MOST_RESTORED: usize = 8;
 pub struct Document {
     theory: Arc<Theory>,
     findings: Arc<[Diagnostic]>,
-    /// What the last sweep was prepared with; the next one with the same settings begins at once.
+    /// Settings and plan of the last sweep; the next one with the same settings begins at once.
     prepared: Arc<Mutex<Option<Arc<Kept>>>>,
 }
 

@@ -24,7 +24,7 @@ pub fn steps(run: &Run, until: f64) -> Result<u64, Refusal> {
 /// the number of steps so far, first the row of the start. Returns the error that ended the run, if any.
 ///
 /// # Errors
-/// Those of `take`.
+/// The errors of `take`.
 pub fn follow<E>(
     run: &mut Run,
     (steps, until): (u64, f64),

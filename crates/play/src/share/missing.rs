@@ -1,4 +1,4 @@
-//! What a link leaves out.
+//! Parts of the state that a link leaves out.
 
 use super::state::MOST_CHANGES;
 use crate::Play;

@@ -10,7 +10,7 @@ use crate::replacement::{Names, has_same_curves};
 use crate::{Basis, Changes, words};
 use serde::{Deserialize, Serialize};
 
-/// What a link does not have of a time line.
+/// State of a time line that a link does not have.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct PassedLine {
     playing: bool,
@@ -22,7 +22,7 @@ pub(crate) struct PassedLine {
 }
 
 impl TimeLine {
-    /// What a link does not have, for [`TimeLine::take_over`]. The ghost is given up.
+    /// State that a link does not have, for [`TimeLine::take_over`]. The ghost is given up.
     pub(crate) fn pass_on(&mut self) -> PassedLine {
         PassedLine {
             playing: self.playing,

@@ -38,7 +38,7 @@ pub struct FitSettings {
 }
 
 impl FitSettings {
-    /// What these settings and a document say of the columns of a record.
+    /// Statements of these settings and a document about the columns of a record.
     pub fn stated<'a>(&'a self, document: &'a Document) -> Stated<'a> {
         let variable = &document.program.model.independent;
         Stated {

@@ -87,7 +87,7 @@ pub(super) fn joined(
     for at in resting(&points) {
         points[at].doubtful = true;
     }
-    // What the look leaves open, the motion of certain frames on both sides may tell.
+    // The motion of certain frames on both sides may settle a doubt that the look leaves.
     let certain: Vec<bool> = points.iter().zip(&unsure).map(|(point, unsure)| !point.doubtful && !unsure).collect();
     for (at, point) in points.iter_mut().enumerate().filter(|(at, _)| unsure[*at]) {
         let off = motion.distance(at, |one| certain[one]);

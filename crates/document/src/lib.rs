@@ -34,7 +34,7 @@ pub use blocks::sweeps::Limits;
 pub use card::{Card, card};
 pub use document::{Document, Opened};
 pub use format::{Formatted, format};
-pub use open::open;
+pub use open::{Opening, open};
 pub use outcomes::{outcomes, parameter_range};
 pub use resized::resized;
 pub use search::Searchable;

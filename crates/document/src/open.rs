@@ -22,28 +22,55 @@ use units::{Language, words};
 /// Reads and checks a document and its translations. The document is `None` if its model has errors; other faulty parts are
 /// left out.
 pub fn open(source: &str, translations: &[&str]) -> Opened {
-    let mut file = File::new(source);
-    if let Some(base) = file.outline.front_matter().get("translates") {
-        let hint = words!("open {}, and this file with it", base.text);
-        file.diagnostics.push(
-            Diagnostic::error("translation", words("this is a translation, which has no model of its own"), base.span)
+    Opening::begin(source).finish(translations)
+}
+
+/// A document whose model is read and checked, and whose other parts are not: two halves of about the same length, for a
+/// caller that has other things to do in between.
+pub struct Opening<'a> {
+    file: File<'a>,
+    /// `None` if the model has errors.
+    checked: Option<Checked>,
+}
+
+impl<'a> Opening<'a> {
+    /// Reads and checks the model.
+    pub fn begin(source: &'a str) -> Self {
+        let mut file = File::new(source);
+        if let Some(base) = file.outline.front_matter().get("translates") {
+            let hint = words!("open {}, and this file with it", base.text);
+            file.diagnostics.push(
+                Diagnostic::error(
+                    "translation",
+                    words("this is a translation, which has no model of its own"),
+                    base.span,
+                )
                 .with_hint(hint),
-        );
-    }
-    let checked = file.model();
-    let mut read = checked.map(|checked| file.document(checked));
-    let mut diagnostics = vec![file.diagnostics];
-    for text in translations {
-        let mut translation = File::new(text);
-        if let Some(read) = &mut read {
-            translation.translate(read);
+            );
         }
-        diagnostics.push(translation.diagnostics);
+        let checked = file.model();
+        Self { file, checked }
     }
-    let diagnostics = diagnostics.into_iter().enumerate();
-    Opened {
-        document: read.map(|read| read.document),
-        diagnostics: diagnostics.flat_map(|(file, found)| limited(found).into_iter().map(move |d| (file, d))).collect(),
+
+    /// Reads and checks the rest, and the translations. The result is that of [`open`].
+    pub fn finish(self, translations: &[&str]) -> Opened {
+        let Self { mut file, checked } = self;
+        let mut read = checked.map(|checked| file.document(checked));
+        let mut diagnostics = vec![file.diagnostics];
+        for text in translations {
+            let mut translation = File::new(text);
+            if let Some(read) = &mut read {
+                translation.translate(read);
+            }
+            diagnostics.push(translation.diagnostics);
+        }
+        let diagnostics = diagnostics.into_iter().enumerate();
+        Opened {
+            document: read.map(|read| read.document),
+            diagnostics: diagnostics
+                .flat_map(|(file, found)| limited(found).into_iter().map(move |d| (file, d)))
+                .collect(),
+        }
     }
 }
 

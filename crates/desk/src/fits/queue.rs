@@ -93,8 +93,10 @@ impl Fits {
             Job { definition, document, own: false, found: None }
         };
         let mut jobs: Vec<Job> = theories.into_iter().map(job).collect();
-        // Theories with more states take longer: begun last, one of them would leave the other workers idle.
-        sort_by_key(&mut jobs, |job| Reverse(job.document.program.model.states.len()));
+        // Theories with more states and more varied numbers take longer: begun last, one of them would leave the other workers
+        // idle.
+        let size = |job: &Job| (job.document.program.model.states.len(), job.definition.varied.len());
+        sort_by_key(&mut jobs, |job| Reverse(size(job)));
         self.start_queue(data, jobs)
     }
 

@@ -7,7 +7,7 @@ use crate::documents::visited::Visited;
 use crate::{documents::saved, documents::visited, fit, library, write};
 use desk::{Desk, Writing};
 use document::page::Source;
-use document::{Document, Opened};
+use document::{Document, Opened, Opening};
 use view::page::opening::Handed;
 use view::{browser, page::messages};
 use web_sys::Event;
@@ -60,13 +60,19 @@ fn open_visited(app: App, visited: Visited, state: &str) {
     place_made(app, visited, made, state);
 }
 
+/// Texts of a document: its own and those of its translations. An empty text if there is none.
+fn texts_of(sources: &[Source]) -> (&str, Vec<&str>) {
+    let mut texts = sources.iter().map(|source| source.text.as_str());
+    (texts.next().unwrap_or_default(), texts.collect())
+}
+
 /// Reads and checks the texts of a document.
 fn opened(sources: &[Source]) -> Opened {
-    let texts: Vec<&str> = sources.iter().map(|source| source.text.as_str()).collect();
-    match texts.split_first() {
-        Some((source, translations)) => document::open(source, translations),
-        None => Opened { document: None, diagnostics: Vec::new() },
+    if sources.is_empty() {
+        return Opened { document: None, diagnostics: Vec::new() };
     }
+    let (source, translations) = texts_of(sources);
+    document::open(source, &translations)
 }
 
 /// A document that is read, on a desk of its own that is not shown yet.
@@ -203,14 +209,22 @@ pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
 pub async fn go_to_in_portions(app: App, sources: Vec<Source>, state: &str) {
     let Some(own) = app.with(Lab::ask_for_document) else { return };
     browser::breathe().await;
-    let opened = opened(&sources);
+    let (source, translations) = texts_of(&sources);
+    let opening = Opening::begin(source);
+    browser::breathe().await;
+    let opened = opening.finish(&translations);
     browser::breathe().await;
     let made = Made::of(app, opened);
+    let is_latest = || app.with(|lab| lab.asked_for) == Some(own);
     browser::breathe().await;
-    if app.with(|lab| lab.asked_for) != Some(own) {
+    if !is_latest() {
         return;
     }
     leave(app);
+    browser::breathe().await;
+    if !is_latest() {
+        return;
+    }
     place_made(app, Visited { sources, draft: None }, made, state);
     visited::step(app);
     // Scrolling has the browser lay the page out.

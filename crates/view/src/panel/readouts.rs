@@ -2,6 +2,7 @@
 
 use crate::app::App;
 use crate::controls::member;
+use crate::pieces::portions::in_portions;
 use crate::pieces::sight::in_sight;
 use crate::pieces::steady::steady;
 use crate::views::*;
@@ -16,11 +17,11 @@ pub fn view(app: App) -> HtmlSection {
     // The independent variable is shown by the clock.
     let list = |varies: bool, title: &'static str| {
         let belongs = |readout: &Readout| readout.varies == varies && readout.kind != ReadoutKind::Independent;
-        let rows = first.iter().enumerate().filter(|(_, readout)| belongs(readout));
-        let any = first.iter().any(belongs);
-        any.then(|| {
-            let rows = dl().each(rows, |(index, readout)| row(app, now, index, readout));
-            div().class("values").child(h3().child(title)).child(rows)
+        let rows: Vec<(usize, Readout)> =
+            first.iter().cloned().enumerate().filter(|(_, readout)| belongs(readout)).collect();
+        (!rows.is_empty()).then(|| {
+            let rows = in_portions(rows, move |(index, readout)| row(app, now, *index, readout).into());
+            div().class("values").child(h3().child(title)).child(dl().child(rows))
         })
     };
     let hides = app.read(|play| play.basis().hides_values());

@@ -2,6 +2,7 @@
 
 pub(crate) mod colours;
 pub mod icons;
+pub(crate) mod portions;
 pub mod sight;
 pub(crate) mod steady;
 pub mod symbols;

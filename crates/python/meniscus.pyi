@@ -139,6 +139,11 @@ class Document:
     @property
     def units(self) -> dict[str, str]:
         """Declared units of the parameters; empty for pure numbers."""
+    def page(self) -> str:
+        """Page that plays the document: HTML for any browser, with the source inside."""
+    def widget(self, *, height: int = 640) -> Any:
+        """The document in a notebook, as a widget of ``anywidget``. Its ``parameters`` follow the sliders, and the sliders follow them.
+        ``height`` in pixels."""
     def check(self, *, claims: bool = False) -> list[Diagnostic]:
         """Warnings about the document; with ``claims`` an error for each claim that its runs do not fulfil."""
     def run(

@@ -13,6 +13,6 @@ fuzz_target!(|text: &str| {
     assert_eq!(Project::read(&project.write()), Ok(project.clone()));
     let Some(document) = document::open(DOCUMENT, &[]).document else { panic!("a document") };
     let mut desk = Desk::open(document);
-    let _ = desk.restore(&project.state);
-    desk.take_project_items(&project.items);
+    let _ = desk::restore(&mut desk, &project.state);
+    desk::take_project_items(&mut desk, &project.items);
 });

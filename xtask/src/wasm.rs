@@ -3,7 +3,8 @@
 
 use crate::tools::TARGET;
 use crate::{steps, tools};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
+use std::fs;
 use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
@@ -43,5 +44,25 @@ pub fn bind(module: &Path, host: Host, directory: &Path) -> Result<()> {
             .map(|bindgen| bindgen.remove_name_section(true).remove_producers_section(true)),
     }
     .and_then(|bindgen| bindgen.generate(directory))
-    .with_context(|| format!("cannot make the JavaScript of {}", module.display()))
+    .with_context(|| format!("cannot make the JavaScript of {}", module.display()))?;
+    match host {
+        Host::Node => Ok(()),
+        Host::Page(_) => without_own_address(module, directory),
+    }
+}
+
+/// Removes from the JavaScript of a page the address of its script, which is needed only where the module is a file beside it. A
+/// page that is the text of a frame (`srcdoc`) has no address that others could be completed with, and would not start.
+fn without_own_address(module: &Path, directory: &Path) -> Result<()> {
+    const ADDRESS: &str = "new URL(document.currentScript.src, location.href).toString()";
+    let name = module.file_stem().unwrap_or_default();
+    let path = directory.join(name).with_extension("js");
+    let script = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    ensure!(
+        script.contains(ADDRESS),
+        "{} does not have `{ADDRESS}`: look at what wasm-bindgen makes now",
+        path.display()
+    );
+    fs::write(&path, script.replacen(ADDRESS, "document.currentScript.src", 1))
+        .with_context(|| format!("cannot write {}", path.display()))
 }

@@ -2,11 +2,10 @@
 
 use crate::failure::Failure;
 use document::Document;
-use document::page::{Options, Source, embed};
-use flate2::{Compression, write::GzEncoder};
+use document::page::{Options, embed};
 use program::{Program, bundle};
 use runner::Sources;
-use std::io::Write as _;
+pub use runner::page::{gzip, no_place, played};
 
 #[cfg(page_inside)]
 const PAGE: Option<&str> = Some(include_str!(env!("MENISCUS_PAGE")));
@@ -37,14 +36,7 @@ fn missing() -> Failure {
 
 /// Page that plays a document and contains its source.
 pub fn player(sources: &Sources, document: &Document) -> Result<String, Failure> {
-    played(bare_player()?, &sources.embedded(), &document.program)
-}
-
-/// Player with a compiled simulation and these sources.
-pub fn played(player: &str, sources: &[Source], program: &Program) -> Result<String, Failure> {
-    let bundle = bundle::write(program)
-        .map_err(|_| Failure::request("this document is too large for a page that plays it; try `--lab`"))?;
-    document::page::played(player, sources, program, gzip(&bundle)?).ok_or_else(no_place)
+    Ok(played(bare_player()?, &sources.embedded(), &document.program)?)
 }
 
 /// The laboratory with these sources. `document`: the parsed sources, `None` if they have errors that leave no
@@ -57,24 +49,12 @@ pub fn with(sources: &Sources, document: Option<&Document>) -> Result<String, Fa
         language: document.map(|document| document.program.language.clone()),
         bundle: bundle.map(|bundle| gzip(&bundle)).transpose()?,
     };
-    embed(own()?, &sources.embedded(), &options).ok_or_else(no_place)
+    Ok(embed(own()?, &sources.embedded(), &options).ok_or_else(no_place)?)
 }
 
 /// The laboratory `html`, opening with this simulation.
 pub fn opening(html: &str, name: &str, program: &Program) -> Result<String, Failure> {
     let bundle = bundle::write(program)
         .map_err(|_| Failure::request(format!("{name} is too large for the laboratory to open with")))?;
-    document::page::opening(html, name, &gzip(&bundle)?).ok_or_else(no_place)
-}
-
-/// Error for an embedded page without the expected place.
-pub fn no_place() -> Failure {
-    Failure::request("the page inside this program has no place for documents")
-}
-
-/// Compresses with gzip, without a time or a name: the same content gives the same bytes.
-pub fn gzip(content: &[u8]) -> Result<Vec<u8>, Failure> {
-    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
-    let packed = gzip.write_all(content).and_then(|()| gzip.finish());
-    packed.map_err(|error| Failure::request(format!("the page cannot be compressed: {error}")))
+    Ok(document::page::opening(html, name, &gzip(&bundle)?).ok_or_else(no_place)?)
 }

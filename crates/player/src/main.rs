@@ -9,6 +9,7 @@ mod page;
 mod simulation;
 mod site;
 mod source;
+mod surrounding;
 mod words;
 
 fn main() {

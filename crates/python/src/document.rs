@@ -7,6 +7,7 @@ use crate::errors::{diagnostics, failed, refused, unsound};
 use crate::fit::Fit;
 use crate::fitting;
 use crate::keywords::in_keywords;
+use crate::page;
 use crate::settings::{Asked, Prepared};
 use crate::sweeps::{self, Kept};
 use crate::table::Table;
@@ -180,6 +181,18 @@ impl Document {
             units.set_item(&parameter.name, &parameter.unit.text)?;
         }
         Ok(units)
+    }
+
+    /// Page that plays the document: HTML for any browser, with the source inside.
+    fn page(&self, py: Python<'_>) -> PyResult<String> {
+        page::page(py, &self.theory)
+    }
+
+    /// The document in a notebook, as a widget of `anywidget`. Its `parameters` follow the sliders, and the sliders follow them.
+    /// `height` in pixels.
+    #[pyo3(signature = (*, height = 640))]
+    fn widget<'py>(&self, py: Python<'py>, height: u32) -> PyResult<Bound<'py, PyAny>> {
+        page::widget(py, &self.theory, self.parameters(py)?, height)
     }
 
     /// Findings about the document: its warnings, and with `claims` an error for each claim that its runs do not fulfil.

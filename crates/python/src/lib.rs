@@ -11,6 +11,7 @@ mod errors;
 mod fit;
 mod fitting;
 mod keywords;
+mod page;
 mod ranking;
 mod settings;
 mod sweeps;

@@ -13,7 +13,7 @@ from conftest import ROOT
 BLOCKS = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(encoding="utf-8"), re.DOTALL)
 
 
-@pytest.mark.parametrize("block", [block for block in BLOCKS if "dask" not in block])
+@pytest.mark.parametrize("block", [block for block in BLOCKS if "dask" not in block and "ray" not in block.split()])
 def test_an_example_runs(block, tmp_path, monkeypatch):
     linear, quadratic = (meniscus.open(ROOT / "simulations" / "theories" / name) for name in ["linear.md", "quadratic.md"])
     run = linear.run(columns="t, y", until=8)

@@ -2,7 +2,8 @@
 //!
 //! [`Loaded`] opens a document with its translations, [`setup`] turns [`Settings`] into the setup of a run, and [`follow`] makes
 //! it. A [`Plan`] says with which parameters many runs are made; a [`Sweep`] computes them on all processors, in the order of the
-//! plan and with the same bits on any number of processors. [`fitting`] fits documents to [`records`].
+//! plan and with the same bits on any number of processors. [`fitting`] fits documents to [`records`]; [`page`] makes a page that plays a
+//! document.
 
 mod axes;
 mod claims;
@@ -11,6 +12,7 @@ mod drawn;
 pub mod fitting;
 pub mod names;
 mod opening;
+pub mod page;
 mod plan;
 mod quoted;
 pub mod records;

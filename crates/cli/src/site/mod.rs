@@ -75,7 +75,7 @@ fn play_page(player: &Parts, simulation: &Simulation) -> Result<String, Failure>
     );
     let page = player.html.replace(parts::LINKS, &links).replace(ROOT, &"../".repeat(simulation.depth()));
     // The source is omitted to keep the page small; the laboratory has it.
-    page::played(&page, &[], program)
+    Ok(page::played(&page, &[], program)?)
 }
 
 /// The laboratory with the documents of the site, and its own theories unless the site replaces them.

@@ -84,7 +84,7 @@ impl Parts {
         }
         html.push_str(rest);
         let (Some((first, scripts)), Some(text)) = (scripts.split_first(), module) else {
-            return Err(page::no_place());
+            return Err(page::no_place().into());
         };
         let style = files.share(name, "css", styles);
         let first_script = files.share("site", "js", [first.trim_start(), BEGIN].concat());

@@ -5,6 +5,7 @@ use emit::{Function, Plain};
 use engine::{Compiled, Interpreted, Listing};
 use js_sys::{Object, Reflect, Uint8Array, WebAssembly};
 use program::Interpolation;
+use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -41,6 +42,35 @@ pub fn compile(listing: Result<Listing, Interpreted>) -> Result<Rc<dyn Compiled>
     instance
         .map(|instance| Rc::new(instance) as Rc<dyn Compiled>)
         .map_err(|error| Fallback::Refused(format!("{error:?}")))
+}
+
+/// Compiles steps and keeps the code of the last listings: a run that begins again has the same.
+#[derive(Debug, Default)]
+pub struct Compiler {
+    /// Last used first. `None`: the steps are interpreted.
+    known: RefCell<Vec<(Listing, Option<Rc<dyn Compiled>>)>>,
+}
+
+impl Compiler {
+    /// Maximum number of listings kept.
+    const KEPT: usize = 4;
+}
+
+impl engine::Compiler for Compiler {
+    fn compile(&self, listing: Listing) -> Option<Rc<dyn Compiled>> {
+        let mut known = self.known.borrow_mut();
+        let entry = match known.iter().position(|(known, _)| *known == listing) {
+            Some(place) => known.remove(place),
+            None => {
+                let code = compile(Ok(listing.clone())).ok();
+                (listing, code)
+            }
+        };
+        let code = entry.1.clone();
+        known.insert(0, entry);
+        known.truncate(Self::KEPT);
+        code
+    }
 }
 
 /// An instance of an emitted module.

@@ -8,7 +8,7 @@ use program::Interpolation;
 use std::sync::Arc;
 
 /// The right-hand side of a model and the method that integrates it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Listing {
     /// The method: a fixed-step method or Dormand-Prince.
     pub method: Method,

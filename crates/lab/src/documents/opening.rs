@@ -8,6 +8,7 @@ use crate::{documents::saved, documents::visited, fit, library, write};
 use desk::{Desk, Writing};
 use document::page::Source;
 use document::{Document, Opened};
+use std::rc::Rc;
 use view::page::opening::Handed;
 use view::{browser, page::messages};
 use web_sys::Event;
@@ -80,6 +81,7 @@ impl Made {
     fn of(app: App, opened: Opened) -> Self {
         let mut desk = opened.document.map(Desk::open);
         if let Some(desk) = &mut desk {
+            desk.play_mut().set_compiler(Rc::<host::Compiler>::default());
             desk.set_language(app.language.get_untracked().tag());
         }
         Self { desk, findings: opened.diagnostics }
@@ -171,6 +173,7 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
         }
         lab.findings = lab.faulty.findings().to_vec();
         let mut desk = Desk::open(document?);
+        desk.play_mut().set_compiler(Rc::<host::Compiler>::default());
         desk.set_writing(std::mem::take(&mut lab.faulty));
         desk.set_language(language.tag());
         lab.sources_before.clear();

@@ -95,7 +95,7 @@ impl TimeLine {
 
     /// Takes over the run of another program unchanged; `with_columns` if its columns have the same values.
     fn adopt_run(&mut self, basis: &Basis, before: &mut Self, with_columns: bool) -> Changes {
-        let nothing = Course::start(basis.model(), basis.defaults().clone(), 0);
+        let nothing = Course::start(basis.motion(), basis.defaults().clone(), 0);
         self.course = std::mem::replace(&mut before.course, nothing);
         self.course.set_overhead(self.columns.bytes_per_row());
         self.full = before.full;

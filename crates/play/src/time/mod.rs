@@ -19,7 +19,7 @@ pub use transport::{LONGEST_GAP, SPEEDS, Status, WORK_PER_TICK};
 use crate::plots::traces::{Columns, Traces};
 use crate::removed::Removed;
 use crate::{Announcement, Basis, Changes};
-use engine::Setup;
+use engine::{Compiler, Setup};
 use figure::Interval;
 use kept::{Ghost, Kept};
 use program::{Parameter, Speed};
@@ -59,7 +59,7 @@ impl TimeLine {
     /// The run of the document, paused at time 0.
     pub(crate) fn new(basis: &Basis) -> Self {
         let columns = Columns::new(basis.model(), &basis.program().plots);
-        let course = Course::start(basis.model(), basis.defaults().clone(), columns.bytes_per_row());
+        let course = Course::start(basis.motion(), basis.defaults().clone(), columns.bytes_per_row());
         Self {
             course,
             rows_seen: 0,
@@ -89,6 +89,11 @@ impl TimeLine {
     /// The run, for reading between its rows.
     pub(crate) fn course_between_rows(&mut self) -> &mut Course {
         &mut self.course
+    }
+
+    /// Makes the later steps of the run with compiled code.
+    pub(crate) fn compile(&mut self, compiler: &dyn Compiler) {
+        self.course.compile(compiler);
     }
 
     /// Layout of the columns of the plots.
@@ -194,7 +199,7 @@ impl TimeLine {
         // Presses belong to the former run.
         setup.presses.clear();
         let changes = self.keep_ghost(0);
-        let course = Course::start(basis.model(), setup, self.columns.bytes_per_row());
+        let course = Course::start(basis.motion(), setup, self.columns.bytes_per_row());
         changes | self.replace(course)
     }
 
@@ -252,7 +257,7 @@ impl TimeLine {
         }
         let changes = self.branch();
         self.course.give_up_presses();
-        self.course.set_parameters(basis.model(), parameters);
+        self.course.set_parameters(basis.motion(), parameters);
         self.traces.truncate(self.course.rows().saturating_sub(1));
         changes | Changes::PARAMETERS | Changes::TRANSPORT | self.moved()
     }

@@ -1,15 +1,17 @@
 //! WebAssembly for the steps of a model: whole steps of a method as straight code, without registers in memory and without
 //! dispatch.
 //!
-//! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] describes, and the functions
-//! of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of the block in bytes and
-//! the greatest number of steps, and returns the number of steps that [`engine::Compiled::run`] returns. All operations are
+//! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] or [`engine::WindowLayout`]
+//! describes, and the functions of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of
+//! the block in bytes and the greatest number of steps or rows, and returns what [`engine::Compiled::run`] returns. All operations are
 //! done in the order of the interpreter and none is fused, so that the results have the same bits.
 
 mod body;
+mod checks;
 mod function;
 mod methods;
 mod sink;
+mod window;
 
 pub use function::{Function, Plain};
 
@@ -50,7 +52,7 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
     let (run, functions) = sink.finish();
 
     let (mut types, mut imports) = (TypeSection::new(), ImportSection::new());
-    for operands in 1..=3 {
+    for operands in 1..=Function::MOST_OPERANDS {
         types.ty().function(std::iter::repeat_n(ValType::F64, operands), [ValType::F64]);
     }
     types.ty().function([ValType::I32, ValType::I32], [ValType::I32]);
@@ -60,7 +62,7 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
         imports.import("function", &number.to_string(), EntityType::Function(function.operands() as u32 - 1));
     }
     let (mut own, mut exports, mut code) = (FunctionSection::new(), ExportSection::new(), CodeSection::new());
-    own.function(3);
+    own.function(Function::MOST_OPERANDS as u32);
     exports.export("run", ExportKind::Func, functions.len() as u32);
     code.function(&run);
     let mut module = wasm_encoder::Module::new();

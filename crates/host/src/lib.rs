@@ -91,6 +91,7 @@ impl Instance {
                 Some(Plain::One(function)) => table.get(function as usize as u32)?.into(),
                 Some(Plain::Two(function)) => table.get(function as usize as u32)?.into(),
                 Some(Plain::Three(function)) => table.get(function as usize as u32)?.into(),
+                Some(Plain::Six(function)) => table.get(function as usize as u32)?.into(),
                 None => {
                     let closure = with_data(function, interpolations.to_vec());
                     let value = closure.as_ref().clone();
@@ -112,7 +113,7 @@ impl Instance {
 
 /// A function of an interpolation.
 fn with_data(function: Function, interpolations: Vec<Arc<Interpolation>>) -> Closure<dyn Fn(f64, f64) -> f64> {
-    Closure::new(move |a, b| function.value([a, b, 0.0], &interpolations))
+    Closure::new(move |a, b| function.value([a, b, 0.0, 0.0, 0.0, 0.0], &interpolations))
 }
 
 impl fmt::Debug for Instance {

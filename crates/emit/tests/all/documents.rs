@@ -45,7 +45,7 @@ fn the_documents_run_with_the_same_bits_in_emitted_code() {
         "double-pendulum.md: LinearSystem",
         "gas.md: TooManyOperations(20356)",
         "logistic-map.md: Counting",
-        "string.md: TooManyOperations(14934)",
+        "string.md: TooManyOperations(16870)",
         "van-der-pol.md: Method(Rosenbrock)",
     ];
     assert_eq!(interpreted, expected);

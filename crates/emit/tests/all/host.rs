@@ -1,6 +1,6 @@
 //! A host that runs emitted modules.
 
-use emit::Module;
+use emit::{Function, Module};
 use engine::{Compiled, Listing};
 use std::cell::RefCell;
 use wasmi::{Caller, Engine, Func, FuncType, Linker, Memory, MemoryType, Store, TypedFunc, Val, ValType};
@@ -25,7 +25,7 @@ impl Instance {
         for (number, function) in module.functions.iter().copied().enumerate() {
             let interpolations = listing.interpolations.clone();
             let call = move |_: Caller<'_, ()>, operands: &[Val], results: &mut [Val]| {
-                let mut numbers = [0.0; 3];
+                let mut numbers = [0.0; Function::MOST_OPERANDS];
                 for (number, operand) in numbers.iter_mut().zip(operands) {
                     *number = f64::from(operand.f64().expect("a number"));
                 }

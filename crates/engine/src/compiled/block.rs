@@ -1,7 +1,7 @@
 //! Compiled code with the numbers that it works on.
 
-use super::Compiled;
 use super::layout::Layout;
+use super::{Compiled, copy};
 use std::rc::Rc;
 
 /// Compiled code with its block of numbers, and the rows that it has computed in advance.
@@ -53,36 +53,10 @@ impl Block {
                 return false;
             }
         }
-        state.copy_from_slice(self.states(self.layout.row(self.ahead.taken)));
+        copy(self.states(self.layout.row(self.ahead.taken)), state);
         self.ahead.index += 1;
         self.ahead.taken += 1;
         true
-    }
-
-    /// Makes an attempt of a step of the Dormand-Prince method; the rates of the first stage are given
-    /// (`first`), those of the last one are a result (`last`).
-    pub fn attempt(
-        &mut self,
-        time: f64,
-        size: f64,
-        from: &[f64],
-        to: &mut [f64],
-        error: &mut [f64],
-        [first, last]: [&mut [f64]; 2],
-    ) {
-        let layout = self.layout;
-        self.numbers[layout.first_rates()..layout.last_rates()].copy_from_slice(first);
-        self.run([time, 1.0, size], from, 1);
-        to.copy_from_slice(self.states(layout.row(0)));
-        error.copy_from_slice(self.states(layout.error()));
-        last.copy_from_slice(self.states(layout.last_rates()));
-    }
-
-    /// Coefficients of the continuous solution over the step of the last attempt: five lists of one per state.
-    pub fn dense(&self, coefficients: &mut [Vec<f64>; 5]) {
-        for (degree, coefficients) in coefficients.iter_mut().enumerate() {
-            coefficients.copy_from_slice(self.states(self.layout.dense(degree)));
-        }
     }
 
     fn run(&mut self, settings: [f64; 3], from: &[f64], count: u32) -> usize {

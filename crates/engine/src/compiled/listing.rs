@@ -1,6 +1,7 @@
 //! The steps of a stepper as a compiler reads them.
 
 use super::layout::Layout;
+use super::window_layout::WindowLayout;
 use crate::Method;
 use crate::code::instruction::Register;
 use crate::code::lines::Line;
@@ -24,8 +25,33 @@ pub struct Listing {
     /// Functions of [`Operation::Piece`](crate::Operation::Piece) and
     /// [`Operation::Interpolated`](crate::Operation::Interpolated).
     pub interpolations: Vec<Arc<Interpolation>>,
-    /// The block that the code works on.
+    /// True for each state whose rate is the constant 0: it stays constant between events.
+    pub still: Vec<bool>,
+    /// The block that code of a fixed-step method works on.
     pub layout: Layout,
+    /// The window of the Dormand-Prince method.
+    pub window: Option<WindowListing>,
+}
+
+/// A window of the Dormand-Prince method: steps with step control, and rows, until something could happen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindowListing {
+    /// The block that the code works on.
+    pub layout: WindowLayout,
+    /// Conditions of events; true values of switches; switches that depend on the independent variable alone; compared
+    /// values; compared values, then their rates of change.
+    pub formulas: [Formulas; 5],
+}
+
+/// Formulas with registers of their own: 0 holds the independent variable, the states follow in the order of the model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Formulas {
+    /// Operations in an order in which they can be executed.
+    pub lines: Vec<Line>,
+    /// Registers of the values.
+    pub roots: Vec<Register>,
+    /// Number of registers.
+    pub registers: usize,
 }
 
 /// Reason why the steps of a stepper cannot be compiled.

@@ -11,28 +11,31 @@ pub(crate) struct Body<'a> {
     lines: &'a [Line],
     /// Register of each state.
     states: Vec<Register>,
-    roots: &'a [Register],
+    /// Index and register of each value.
+    roots: Vec<(usize, Register)>,
     registers: Vec<Local>,
 }
 
 impl<'a> Body<'a> {
-    /// The right-hand side.
+    /// The right-hand side. The rates of constant states are left out.
     pub fn of_rates(listing: &'a Listing, sink: &mut Sink) -> Self {
         let Listing { lines, states, rates, .. } = listing;
-        Self::new(lines, states.clone(), rates, (0, listing.layout.registers), sink)
+        let roots = rates.iter().copied().enumerate().filter(|(k, _)| listing.still[*k].is_none()).collect();
+        Self::new(lines, states.clone(), roots, (0, listing.layout.registers), sink)
     }
 
     /// Formulas of a model with `states` states, whose registers begin at number `place` of the block.
     pub fn of_formulas(formulas: &'a Formulas, states: usize, place: usize, sink: &mut Sink) -> Self {
         let registers = (1..).take(states).collect();
-        Self::new(&formulas.lines, registers, &formulas.roots, (place, formulas.registers), sink)
+        let roots = formulas.roots.iter().copied().enumerate().collect();
+        Self::new(&formulas.lines, registers, roots, (place, formulas.registers), sink)
     }
 
     /// Loads the registers that are read and not written.
     fn new(
         lines: &'a [Line],
         states: Vec<Register>,
-        roots: &'a [Register],
+        roots: Vec<(usize, Register)>,
         (first, count): (usize, usize),
         sink: &mut Sink,
     ) -> Self {
@@ -64,9 +67,9 @@ impl<'a> Body<'a> {
         for line in self.lines {
             self.line(sink, line);
         }
-        for (&value, &root) in values.iter().zip(self.roots) {
+        for &(number, root) in &self.roots {
             sink.get(self.register(root));
-            sink.set(value);
+            sink.set(values[number]);
         }
     }
 

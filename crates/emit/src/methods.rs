@@ -16,7 +16,7 @@ pub(crate) fn operations(listing: &Listing) -> usize {
         Method::RungeKutta4 => (4, 14),
         Method::DormandPrince | Method::Rosenbrock => (STAGES - 1, 84),
     };
-    let moving = listing.still.iter().filter(|still| !**still).count();
+    let moving = listing.still.iter().filter(|still| still.is_none()).count();
     // Conditions are evaluated once, and compared values two times.
     let of_checks = |window: &WindowListing| {
         let lines = window.formulas.each_ref().map(|formulas| formulas.lines.len());
@@ -78,8 +78,8 @@ struct Step<'a> {
     states: Vec<Local>,
     /// Rates of each stage.
     rates: Vec<Vec<Local>>,
-    /// True for each state whose rate is the constant 0: its sums of rates are 0.
-    still: &'a [bool],
+    /// For each state its rate if that is the constant 0 or -0, which all sums of its rates are then, too.
+    still: &'a [Option<f64>],
 }
 
 impl Step<'_> {
@@ -146,8 +146,8 @@ impl Step<'_> {
         for (k, &state) in self.states.iter().enumerate() {
             // from + sixth * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4)
             sink.get(state);
-            if self.still[k] {
-                sink.constant(0.0);
+            if let Some(zero) = self.still[k] {
+                sink.constant(zero);
                 sink.add();
                 sink.set(state);
                 continue;
@@ -200,7 +200,9 @@ impl Step<'_> {
 
     /// Sets the arguments of the right-hand side to states + size * rates of a stage.
     fn advance(&self, sink: &mut Sink, size: Local, stage: usize) {
-        for (k, &state) in self.states.iter().enumerate() {
+        // Constant states are set in the first stage.
+        let set = |k: usize| stage == 0 || self.still[k].is_none();
+        for (k, &state) in self.states.iter().enumerate().filter(|(k, _)| set(*k)) {
             self.moved(sink, state, size, (stage, k));
             sink.set(self.body.state(k));
         }
@@ -216,9 +218,9 @@ impl Step<'_> {
 
     /// Pushes state + size * rate of state `k` at a stage.
     fn moved(&self, sink: &mut Sink, state: Local, size: Local, (stage, k): (usize, usize)) {
-        if self.still[k] {
+        if let Some(zero) = self.still[k] {
             sink.get(state);
-            sink.constant(0.0);
+            sink.constant(zero);
             sink.add();
         } else {
             multiply_add(sink, state, size, self.rates[stage][k]);

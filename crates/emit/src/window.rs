@@ -93,7 +93,7 @@ pub(crate) struct Step<'a> {
 impl<'a> Step<'a> {
     fn load(listing: &'a Listing, layout: WindowLayout, sink: &mut Sink) -> Self {
         let (record, states) = (layout.record(0), layout.states);
-        let moving: Vec<usize> = (0..states).filter(|&k| !listing.still[k]).collect();
+        let moving: Vec<usize> = (0..states).filter(|&k| listing.still[k].is_none()).collect();
         let body = Body::of_rates(listing, sink);
         let mut load = |place: usize| {
             let local = sink.local();

@@ -25,8 +25,8 @@ pub struct Listing {
     /// Functions of [`Operation::Piece`](crate::Operation::Piece) and
     /// [`Operation::Interpolated`](crate::Operation::Interpolated).
     pub interpolations: Vec<Arc<Interpolation>>,
-    /// True for each state whose rate is the constant 0: it stays constant between events.
-    pub still: Vec<bool>,
+    /// For each state, its rate if that is the constant 0 or -0: it stays constant between events.
+    pub still: Vec<Option<f64>>,
     /// The block that code of a fixed-step method works on.
     pub layout: Layout,
     /// The window of the Dormand-Prince method.

@@ -67,8 +67,8 @@ pub(crate) struct Begin<'a> {
 
 impl Window {
     /// `still`: see [`Listing::still`](crate::Listing::still).
-    pub fn new(code: Rc<dyn Compiled>, layout: WindowLayout, checks: bool, still: &[bool]) -> Self {
-        let moving = (0..layout.states).filter(|&k| !still[k]).collect();
+    pub fn new(code: Rc<dyn Compiled>, layout: WindowLayout, checks: bool, still: &[Option<f64>]) -> Self {
+        let moving = (0..layout.states).filter(|&k| still[k].is_none()).collect();
         let numbers = vec![0.0; layout.len()];
         Self { code, layout, checks, moving, numbers, index: 0, rows: 0, taken: 0, steps: 0, position: 0, uncounted: 0 }
     }
@@ -115,7 +115,7 @@ impl Window {
         self.put(before + layout.rates(), first);
         self.code.run(&mut self.numbers, 0);
         for (k, (to, from)) in to.iter_mut().zip(from).enumerate() {
-            // What is still has rates 0, and its sum of rates is 0.
+            // The sums of rates of a constant state are 0.
             *to = from + 0.0;
             error[k] = 0.0;
             last[k] = 0.0;

@@ -28,8 +28,8 @@ pub(crate) struct Equations {
     compiled: Option<Block>,
     /// Steps of the Dormand-Prince method in compiled form, if there are any.
     pub window: Option<Window>,
-    /// True for each state whose rate is the constant 0.
-    still: Vec<bool>,
+    /// The rate of each state if that is the constant 0 or -0.
+    still: Vec<Option<f64>>,
     /// Number of evaluations of f.
     pub evaluations: u64,
     /// Number of evaluations of the derivatives of f.
@@ -41,7 +41,7 @@ impl Equations {
     pub fn new(model: &Model) -> Self {
         let nodes = rate_nodes(model);
         let order = Order::of(model);
-        let still = nodes.iter().map(|&node| is_zero(model.graph.as_constant(node))).collect();
+        let still = nodes.iter().map(|&node| model.graph.as_constant(node).filter(|rate| *rate == 0.0)).collect();
         let rates = match &order {
             Some(Order { states, .. }) => {
                 let nodes: Vec<NodeId> = states.iter().map(|&state| nodes[state as usize]).collect();
@@ -287,11 +287,6 @@ pub(crate) fn scatter(out: &mut [f64], order: &[u32], values: &[f64]) {
     for (value, &number) in values.iter().zip(order) {
         out[number as usize] = *value;
     }
-}
-
-/// True for the constant 0.0, not for -0.0.
-fn is_zero(constant: Option<f64>) -> bool {
-    constant.is_some_and(|value| value.to_bits() == 0)
 }
 
 fn rate_nodes(model: &Model) -> Vec<NodeId> {

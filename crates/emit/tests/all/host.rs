@@ -11,6 +11,8 @@ pub struct Instance {
     store: RefCell<Store<()>>,
     memory: Memory,
     run: TypedFunc<(i32, i32), i32>,
+    /// Length of the part of the block that a single attempt of a step uses.
+    attempt: usize,
 }
 
 impl Instance {
@@ -38,12 +40,14 @@ impl Instance {
         }
         let instance = linker.instantiate_and_start(&mut store, &compiled).expect("all imports");
         let run = instance.get_typed_func(&store, "run").expect("a function `run`");
-        Self { store: RefCell::new(store), memory, run }
+        let attempt = listing.window.as_ref().map_or(0, |window| window.layout.record(2));
+        Self { store: RefCell::new(store), memory, run, attempt }
     }
 }
 
 impl Compiled for Instance {
     fn run(&self, block: &mut [f64], count: u32) -> u32 {
+        let block = if count == 0 { &mut block[..self.attempt] } else { block };
         let store = &mut *self.store.borrow_mut();
         let bytes: Vec<u8> = block.iter().flat_map(|number| number.to_le_bytes()).collect();
         self.memory.write(&mut *store, 0, &bytes).expect("memory for the block");

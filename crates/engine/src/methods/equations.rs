@@ -180,14 +180,29 @@ impl Equations {
         true
     }
 
-    /// Moves the state from grid point `index` to the next one in compiled form, see [`Block::step_on_grid`]. False if there
-    /// is none, or if the state would not be finite.
+    /// Moves the state from grid point `index` to the next one by a step of a fixed-step method with `stages` evaluations of f
+    /// that compiled code has made in advance. False if there is none.
     #[inline]
-    pub fn step_on_grid_compiled(&mut self, stages: u64, index: u64, step: f64, state: &mut [f64]) -> bool {
+    pub fn take_row(&mut self, stages: u64, index: u64, state: &mut [f64]) -> bool {
         let Some(block) = &mut self.compiled else { return false };
-        let made = block.step_on_grid(index, step, state);
-        self.evaluations += if made { stages } else { 0 };
-        made
+        let taken = block.take_row(index, state);
+        self.evaluations += if taken { stages } else { 0 };
+        taken
+    }
+
+    /// Makes steps of a fixed-step method from grid point `index` on in advance, if they are in compiled form. They end before
+    /// a state that is not finite.
+    pub fn begin_rows(&mut self, index: u64, step: f64, state: &[f64]) {
+        if let Some(block) = &mut self.compiled {
+            block.begin(index, step, state);
+        }
+    }
+
+    /// Discards steps of a fixed-step method that were made in advance.
+    pub fn forget_rows(&mut self) {
+        if let Some(block) = &mut self.compiled {
+            block.forget();
+        }
     }
 
     /// Makes an attempt of a step of the Dormand-Prince method in compiled form. `rates`: those of the first stage,

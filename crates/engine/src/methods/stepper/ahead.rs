@@ -50,6 +50,7 @@ impl Stepper {
 
     /// Brings the method and the search for changes up to the row that was taken last, and discards the rows after it.
     pub(super) fn catch_up(&mut self) {
+        self.equations.forget_rows();
         let Solver::Adaptive(method) = &mut self.solver else { return };
         if let Some(window) = self.equations.window.as_ref().filter(|window| window.is_ahead()) {
             self.surfaces.continue_at(self.time, &self.state, window.values());

@@ -12,6 +12,13 @@ impl Stepper {
     /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.
     #[inline]
     pub(super) fn takes_row(&mut self, target: f64, work: u64) -> bool {
+        // Rows are discarded where something could happen before them.
+        if let Solver::Fixed(method) = &self.solver
+            && self.equations.take_row(method.stages(), self.index, &mut self.state)
+        {
+            self.time = target;
+            return true;
+        }
         if !self.on_grid || self.stopped.is_some() || self.counts || self.presses.next().is_some() {
             return false;
         }
@@ -23,7 +30,8 @@ impl Stepper {
             }
             _ if !self.surfaces.is_smooth() => return false,
             Solver::Fixed(method) => {
-                if !method.step_on_grid(&mut self.equations, self.index, self.step, &mut self.state) {
+                self.equations.begin_rows(self.index, self.step, &self.state);
+                if !self.equations.take_row(method.stages(), self.index, &mut self.state) {
                     return false;
                 }
             }

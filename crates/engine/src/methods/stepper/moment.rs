@@ -49,6 +49,7 @@ impl Stepper {
 
     /// Replaces the presses; those that have acted must be the first ones of the list.
     pub(crate) fn set_presses(&mut self, presses: &[Press]) {
+        self.catch_up();
         self.presses.replace(presses);
     }
 

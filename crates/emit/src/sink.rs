@@ -1,5 +1,6 @@
 //! Instructions of the function `run` in the making.
 
+use crate::calls::Calls;
 use crate::function::Function;
 use wasm_encoder::{BlockType, InstructionSink, MemArg, ValType};
 
@@ -27,15 +28,20 @@ const LOOP: Label = 1;
 
 /// Instructions of `run`, its local variables and the functions that it calls. Values are passed on the stack: methods
 /// that compute push one value and pop their operands.
-#[derive(Debug, Default)]
-pub(crate) struct Sink {
+#[derive(Debug)]
+pub(crate) struct Sink<'a> {
     code: Vec<u8>,
     locals: u32,
-    functions: Vec<Function>,
+    calls: &'a Calls,
     depth: Label,
 }
 
-impl Sink {
+impl<'a> Sink<'a> {
+    /// Begins the function.
+    pub fn new(calls: &'a Calls) -> Self {
+        Self { code: Vec::new(), locals: 0, calls, depth: 0 }
+    }
+
     /// Instructions of the encoder.
     pub fn instructions(&mut self) -> InstructionSink<'_> {
         InstructionSink::new(&mut self.code)
@@ -185,14 +191,10 @@ impl Sink {
         self.leave_if();
     }
 
-    /// Calls an imported function.
+    /// Calls a function.
     pub fn call(&mut self, function: Function) {
-        let known = self.functions.iter().position(|&known| known == function);
-        let number = known.unwrap_or_else(|| {
-            self.functions.push(function);
-            self.functions.len() - 1
-        });
-        self.instructions().call(number as u32);
+        let number = self.calls.number(function);
+        self.instructions().call(number);
     }
 
     /// Pushes the number of steps made.
@@ -216,13 +218,13 @@ impl Sink {
         self.instructions().local_get(COUNT).i32_lt_u().br_if(1).end().end();
     }
 
-    /// The function `run`, which returns the number of steps made, and the functions that it calls.
-    pub fn finish(mut self) -> (wasm_encoder::Function, Vec<Function>) {
+    /// The function `run`, which returns the number of steps or rows made.
+    pub fn finish(mut self) -> wasm_encoder::Function {
         self.instructions().local_get(MADE).end();
         let locals = [(FIRST_LOCAL - MADE, ValType::I32), (self.locals, ValType::F64)];
         let mut run = wasm_encoder::Function::new(locals);
         run.raw(self.code);
-        (run, self.functions)
+        run
     }
 }
 

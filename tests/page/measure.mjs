@@ -86,6 +86,7 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
       best.shipped[name] = reason;
       continue;
     }
+    if (machine.rows(500) !== emitted.rows(500)) throw new Error(`${name} has other bits in emitted code`);
     const time = (document, rows) => {
       const start = performance.now();
       document.rows(rows);

@@ -4,7 +4,7 @@
 use crate::body::Body;
 use crate::function::Function;
 use crate::sink::{Local, Sink};
-use crate::window::Step;
+use crate::step::Step;
 use engine::{CHECKS, WindowListing};
 
 /// Formulas of the checks, with local variables for their values.

@@ -13,6 +13,7 @@ mod function;
 mod interpolation;
 mod methods;
 mod sink;
+mod step;
 mod window;
 
 pub use function::{Function, Plain};

@@ -13,10 +13,8 @@ use crate::{
     Answers, Basis, Claims, Controls, Course, Figures, Grips, OpenRun, PlotId, Plots, Readout, Refusal, Settings,
     Shown, ShownScene, Survey, TimeLine, Values, words,
 };
-use engine::Compiler;
 use figure::Figure;
 use program::{Model, Program, Seat};
-use std::rc::Rc;
 
 /// One simulation operated by a visitor.
 #[derive(Debug)]
@@ -55,12 +53,6 @@ impl Play {
         let changes = play.plots.label(&play.basis, play.line.columns()) | play.line.begin();
         play.note(changes);
         play
-    }
-
-    /// Makes the steps of the run and of later ones with compiled code from now on. All bits stay the same.
-    pub fn set_compiler(&mut self, compiler: Rc<dyn Compiler>) {
-        self.line.compile(compiler.as_ref());
-        self.basis.set_compiler(compiler);
     }
 
     /// Folds changes into the revision, and updates the parts that follow from what has changed.
@@ -215,9 +207,6 @@ impl Play {
         program.set_seat(seat);
         self.change_settings(|settings| settings.drag_end());
         let mut before = std::mem::replace(self, Self::open(program));
-        if let Some(compiler) = before.basis.compiler() {
-            self.set_compiler(Rc::clone(compiler));
-        }
         let names = Names::between(before.model(), self.model());
         self.revision = before.revision.after(&Changes::ALL);
         self.announcements = std::mem::take(&mut before.announcements);

@@ -205,6 +205,11 @@ impl Window {
         Taken { attempts, evaluations: if record > self.position { self.uncounted } else { 0 }, intervals: 0 }
     }
 
+    /// True if the next step is computed.
+    pub fn has_step(&self) -> bool {
+        self.position < self.steps
+    }
+
     /// True if rows were taken since the last call of [`Window::end`].
     pub fn is_ahead(&self) -> bool {
         self.taken > 0

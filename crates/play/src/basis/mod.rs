@@ -6,11 +6,9 @@ pub(crate) mod input;
 mod labels;
 pub(crate) mod typed;
 
-use crate::motion::Motion;
 use crate::number::Style;
-use engine::{Compiler, Setup};
+use engine::Setup;
 use program::{Model, Program, Scene, Seat};
-use std::rc::Rc;
 use units::Language;
 
 /// The program in the language of the visitor.
@@ -26,8 +24,6 @@ pub struct Basis {
     defaults: Setup,
     /// For each node of the model, true if its value is a count.
     whole: Vec<bool>,
-    /// Compiles the steps of runs; `None`: they are interpreted.
-    compiler: Option<Rc<dyn Compiler>>,
 }
 
 impl Basis {
@@ -41,7 +37,6 @@ impl Basis {
             whole: program.model.whole_numbers(),
             tag,
             program,
-            compiler: None,
         }
     }
 
@@ -53,21 +48,6 @@ impl Basis {
     /// Model of the program.
     pub fn model(&self) -> &Model {
         &self.program.model
-    }
-
-    /// The equations of motion, from which runs are started.
-    pub(crate) fn motion(&self) -> Motion<'_> {
-        Motion::new(self.model(), self.compiler.as_ref())
-    }
-
-    /// Compiler of the steps of runs, if there is one.
-    pub(crate) fn compiler(&self) -> Option<&Rc<dyn Compiler>> {
-        self.compiler.as_ref()
-    }
-
-    /// Sets the compiler of the steps of later runs.
-    pub(crate) fn set_compiler(&mut self, compiler: Rc<dyn Compiler>) {
-        self.compiler = Some(compiler);
     }
 
     /// Language tag of the program's texts, as chosen.

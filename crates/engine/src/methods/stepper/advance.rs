@@ -195,6 +195,7 @@ impl Stepper {
 
     /// Advances to `target` or to the end of the step of the method, whichever is first, or to an earlier event or switch.
     fn adaptive(&mut self, target: f64) -> Result<Option<Early>, RunError> {
+        self.begin_steps();
         let Solver::Adaptive(method) = &mut self.solver else {
             return Ok(None);
         };

@@ -48,6 +48,17 @@ impl Stepper {
         self.equations.window.as_ref().is_some_and(|window| window.has_row(self.index))
     }
 
+    /// Computes steps without rows in advance, if nothing can happen in them: for times that are not on the grid.
+    pub(super) fn begin_steps(&mut self) {
+        let (Solver::Adaptive(method), Some(window)) = (&mut self.solver, &self.equations.window) else { return };
+        if method.end() > self.time || window.has_step() || !self.surfaces.is_smooth() {
+            return;
+        }
+        let (time, index, spacing) = (self.time, self.index, f64::INFINITY);
+        let place = Place { time, index, spacing, state: &self.state, armed: &[], held: &[], values: &[] };
+        method.begin_window(&mut self.equations, &place);
+    }
+
     /// Brings the method and the search for changes up to the row that was taken last, and discards the rows after it.
     pub(super) fn catch_up(&mut self) {
         self.equations.forget_rows();

@@ -104,7 +104,7 @@ impl TimeLine {
     }
 
     /// The equations of motion, from which runs are started.
-    fn motion<'a>(&'a self, basis: &'a Basis) -> Motion<'a> {
+    pub(crate) fn motion<'a>(&'a self, basis: &'a Basis) -> Motion<'a> {
         Motion::new(basis.model(), self.compiler.as_ref())
     }
 

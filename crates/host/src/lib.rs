@@ -47,9 +47,12 @@ pub fn compile(listing: Result<Listing, Interpreted>) -> Result<Rc<dyn Compiled>
 /// Compiles steps and keeps the code of the last listings: a run that begins again has the same.
 #[derive(Debug, Default)]
 pub struct Compiler {
-    /// Last used first. `None`: the steps are interpreted.
-    known: RefCell<Vec<(Listing, Option<Rc<dyn Compiled>>)>>,
+    /// Last used first.
+    known: RefCell<Vec<Known>>,
 }
+
+/// A listing with its code; `None` if its steps are interpreted.
+type Known = (Listing, Option<Rc<dyn Compiled>>);
 
 impl Compiler {
     /// Maximum number of listings kept.

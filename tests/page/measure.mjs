@@ -1,7 +1,7 @@
 // Measures the built page in the browser, and the engine's pace in WebAssembly, for `cargo xtask bench`. Prints one
 // `name value` in each line. Needs PROBE, the directory with the probe's JavaScript and module; PAGE, the laboratory; EXPORTED,
 // a page that `meniscus export` has made; PROFILES, the directory with the exported pages `chain.html`, of 200 masses, and
-// `string.html`, of 1,000 points; and CHROME, without which the pace is that of Node and nothing is said about the page.
+// `string.html`, of 1,000 points; and CHROME, without which the pace is that of Node. Without PAGE or CHROME only the pace is measured.
 
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -76,7 +76,7 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
       least(`${name}-hand`, count / 1000, () => system.by_hand(count));
     }
   }
-  // Each document with its own method: how many times as fast it is in emitted code, or why it is interpreted.
+  // Each document with its own method: nanoseconds of a row interpreted and in emitted code, or why it is interpreted.
   best.shipped = {};
   for (const [name, text] of Object.entries(shipped)) {
     const [machine, emitted] = [new probe.Shipped(text), new probe.Shipped(text)];
@@ -86,6 +86,7 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
       best.shipped[name] = reason;
       continue;
     }
+    if (machine.rows(500) !== emitted.rows(500)) throw new Error(`${name} has other bits in emitted code`);
     const time = (document, rows) => {
       const start = performance.now();
       document.rows(rows);
@@ -98,7 +99,7 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
       least[0] = Math.min(least[0], time(machine, rows));
       least[1] = Math.min(least[1], time(emitted, rows));
     }
-    best.shipped[name] = least[0] / least[1];
+    best.shipped[name] = least.map((milliseconds) => (milliseconds / rows) * 1e6);
   }
   const text = probe.long_document();
   for (let round = 0; round < rounds; round += 1) least("check-lines", 3, () => probe.check(text, 3));
@@ -135,8 +136,10 @@ function sayPace(best) {
   say("wasm-hand", best.hand);
   say("wasm-best", best.best);
   for (const [name, times] of Object.entries(best.shipped)) {
-    if (typeof times === "number") say(`shipped-${name}`, times);
-    else console.log(`interpreted: ${name}: ${times}`);
+    if (Array.isArray(times)) {
+      say(`shipped-${name}`, times[0] / times[1]);
+      say(`row-${name}`, times[1]);
+    } else console.log(`interpreted: ${name}: ${times}`);
   }
   say("fit-formula", best.formula);
   say("fit-motion", best.motion);
@@ -155,17 +158,21 @@ const browser = await chromium.launch({
   executablePath: process.env.CHROME,
   args: ["--no-sandbox", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
 });
-const address = pathToFileURL(process.env.PAGE).href;
+const address = process.env.PAGE && pathToFileURL(process.env.PAGE).href;
 
 try {
   await measurePace();
+  if (address) await measurePage();
+} finally {
+  await browser.close();
+}
+
+async function measurePage() {
   await measureOpening();
   await measureFrames();
   await measureLongRecord();
   for (const name of ["chain", "string"]) await measureProfile(name);
   await measurePhone(browser, { laboratory: process.env.PAGE, exported: process.env.EXPORTED, published: process.env.PUBLISHED_PAGE }, say);
-} finally {
-  await browser.close();
 }
 
 async function measurePace() {

@@ -2,14 +2,23 @@
 
 use crate::{steps, tools, wasm};
 use anyhow::{Context, Result, bail};
+use std::path::Path;
 
-/// Runs `probe` in Node and compares every line of its `golden()` with `crates/probe/golden.txt`.
+/// Runs `probe` in Node and compares every line of its `golden()`, interpreted and in emitted code, with
+/// `crates/probe/golden.txt`.
 pub fn compare() -> Result<()> {
     let directory = steps::target().join("probe").join("node");
     for module in wasm::build(&["probe"])? {
         wasm::bind(&module, wasm::Host::Node, &directory)?;
     }
-    let script = format!("process.stdout.write(require({:?}).golden())", directory.join("probe.js"));
+    for function in ["golden", "golden_emitted"] {
+        compare_function(&directory.join("probe.js"), function)?;
+    }
+    Ok(())
+}
+
+fn compare_function(probe: &Path, function: &str) -> Result<()> {
+    let script = format!("process.stdout.write(require({probe:?}).{function}())");
     let found = steps::output(&mut steps::program(tools::node()?, &["--eval", &script]))?;
     let expected = std::fs::read_to_string(steps::root().join("crates").join("probe").join("golden.txt"))
         .context("cannot read crates/probe/golden.txt")?;
@@ -18,8 +27,8 @@ pub fn compare() -> Result<()> {
         .map(|(expected, found)| format!("expected {expected}\nfound    {found}"))
         .collect();
     if !differing.is_empty() || expected.lines().count() != found.lines().count() {
-        bail!("golden runs differ in WebAssembly\n{}\nall that was found:\n{found}", differing.join("\n"));
+        bail!("golden runs differ in WebAssembly ({function})\n{}\nall that was found:\n{found}", differing.join("\n"));
     }
-    println!("{} golden runs have the same bits natively and in WebAssembly", expected.lines().count());
+    println!("{} golden runs have the same bits natively and in WebAssembly ({function})", expected.lines().count());
     Ok(())
 }

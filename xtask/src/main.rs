@@ -24,7 +24,8 @@ cargo xtask test    run every check: format, lints, tests, golden runs, the page
 cargo xtask python  build the Python package, target/python/wheel, and test it
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
-                    a fifth below those of xtask/ratios.txt; `bench commit` writes that file
+                    a fifth below those of xtask/ratios.txt; `bench commit` writes that file; `bench emitted` measures
+                    emitted code alone, in a minute
 ";
 
 fn main() -> ExitCode {
@@ -49,6 +50,7 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["texts"] => texts::update(&steps::root()),
         ["bench"] => bench::all(false),
         ["bench", "commit"] => bench::all(true),
+        ["bench", "emitted"] => bench::emitted(),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

@@ -1,30 +1,55 @@
-//! The right-hand side: operations of the register machine on local variables.
+//! Formulas: operations of the register machine on local variables.
 
 use crate::function::Function;
 use crate::sink::{Local, Sink};
-use engine::{Line, Listing, Operation, Register};
+use engine::{Formulas, Line, Listing, Operation, Register};
 use program::{Binary, Unary};
 
-/// The right-hand side with a local variable for each register.
+/// Formulas with a local variable for each register.
 #[derive(Debug)]
 pub(crate) struct Body<'a> {
-    listing: &'a Listing,
+    lines: &'a [Line],
+    /// Register of each state.
+    states: Vec<Register>,
+    /// Index and register of each value.
+    roots: Vec<(usize, Register)>,
     registers: Vec<Local>,
 }
 
 impl<'a> Body<'a> {
-    /// Loads the registers that the operations read and do not write.
-    pub fn new(listing: &'a Listing, sink: &mut Sink) -> Self {
-        let registers = sink.locals(listing.layout.registers);
-        let mut given = vec![true; listing.layout.registers];
-        given[0] = false;
-        let written = listing.lines.iter().map(|line| line.to).chain(listing.states.iter().copied());
-        written.for_each(|register| given[register as usize] = false);
+    /// The right-hand side. The rates of constant states are left out.
+    pub fn of_rates(listing: &'a Listing, sink: &mut Sink) -> Self {
+        let Listing { lines, states, rates, .. } = listing;
+        let roots = rates.iter().copied().enumerate().filter(|(k, _)| listing.still[*k].is_none()).collect();
+        Self::new(lines, states.clone(), roots, (0, listing.layout.registers), sink)
+    }
+
+    /// Formulas of a model with `states` states, whose registers begin at number `place` of the block.
+    pub fn of_formulas(formulas: &'a Formulas, states: usize, place: usize, sink: &mut Sink) -> Self {
+        let registers = (1..).take(states).collect();
+        let roots = formulas.roots.iter().copied().enumerate().collect();
+        Self::new(&formulas.lines, registers, roots, (place, formulas.registers), sink)
+    }
+
+    /// Loads the registers that are read and not written.
+    fn new(
+        lines: &'a [Line],
+        states: Vec<Register>,
+        roots: Vec<(usize, Register)>,
+        (first, count): (usize, usize),
+        sink: &mut Sink,
+    ) -> Self {
+        let mut given = vec![true; count];
+        let written = lines.iter().map(|line| line.to).chain(states.iter().copied()).chain([0]);
+        written.for_each(|register| {
+            given.get_mut(register as usize).into_iter().for_each(|given| *given = false);
+        });
+        let registers = sink.locals(count);
         for (place, &local) in registers.iter().enumerate().filter(|(place, _)| given[*place]) {
-            sink.load(place);
+            sink.load(first + place);
             sink.set(local);
         }
-        Self { listing, registers }
+        Self { lines, states, roots, registers }
     }
 
     /// Local variable of the independent variable.
@@ -34,18 +59,32 @@ impl<'a> Body<'a> {
 
     /// Local variable of state `k` as an argument of the right-hand side.
     pub fn state(&self, k: usize) -> Local {
-        self.register(self.listing.states[k])
+        self.register(self.states[k])
     }
 
-    /// Evaluates the right-hand side and copies the rates to `rates`.
-    pub fn evaluate(&self, sink: &mut Sink, rates: &[Local]) {
-        for line in &self.listing.lines {
+    /// Evaluates the formulas and copies the values to `values`.
+    pub fn evaluate(&self, sink: &mut Sink, values: &[Local]) {
+        for line in self.lines {
             self.line(sink, line);
         }
-        for (&rate, &root) in rates.iter().zip(&self.listing.rates) {
+        for &(number, root) in &self.roots {
             sink.get(self.register(root));
-            sink.set(rate);
+            sink.set(values[number]);
         }
+    }
+
+    /// [`Body::evaluate`] at the time and the states in these local variables.
+    pub fn evaluate_at(&self, sink: &mut Sink, time: Local, states: &[Local], values: &[Local]) {
+        if self.roots.is_empty() {
+            return;
+        }
+        sink.get(time);
+        sink.set(self.time());
+        for (k, &state) in states.iter().enumerate() {
+            sink.get(state);
+            sink.set(self.state(k));
+        }
+        self.evaluate(sink, values);
     }
 
     fn register(&self, register: Register) -> Local {

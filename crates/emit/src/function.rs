@@ -16,15 +16,25 @@ pub enum Function {
     Interpolated(u32),
     /// Sample of a binomial distribution: trials, probability, stream.
     Binomial,
+    /// [`engine::dormand_prince_growth`]: error before, error.
+    Growth,
+    /// [`engine::dormand_prince_shrinkage`]: error.
+    Shrinkage,
+    /// [`engine::sign_changes`].
+    SignChanges,
 }
 
 impl Function {
-    /// Number of operands, 1 to 3.
+    /// Maximum number of operands.
+    pub const MOST_OPERANDS: usize = 6;
+
+    /// Number of operands, 1 to 6.
     pub fn operands(self) -> usize {
         match self {
-            Self::Unary(_) | Self::Piece(_) => 1,
-            Self::Binary(_) | Self::Interpolated(_) => 2,
+            Self::Unary(_) | Self::Piece(_) | Self::Shrinkage => 1,
+            Self::Binary(_) | Self::Interpolated(_) | Self::Growth => 2,
             Self::Binomial => 3,
+            Self::SignChanges => 6,
         }
     }
 
@@ -34,14 +44,17 @@ impl Function {
             Self::Unary(function) => Some(Plain::One(one(function))),
             Self::Binary(function) => Some(Plain::Two(two(function))),
             Self::Binomial => Some(Plain::Three(program::binomial)),
+            Self::Growth => Some(Plain::Two(engine::dormand_prince_growth)),
+            Self::Shrinkage => Some(Plain::One(engine::dormand_prince_shrinkage)),
+            Self::SignChanges => Some(Plain::Six(engine::sign_changes)),
             Self::Piece(_) | Self::Interpolated(_) => None,
         }
     }
 
     /// Value at `operands`, of which those beyond [`Function::operands`] are not read. `interpolations` are those of the
     /// listing.
-    pub fn value(self, operands: [f64; 3], interpolations: &[Arc<Interpolation>]) -> f64 {
-        let [a, b, c] = operands;
+    pub fn value(self, operands: [f64; 6], interpolations: &[Arc<Interpolation>]) -> f64 {
+        let [a, b, c, d, e, f] = operands;
         let interpolation = |number: u32| interpolations.get(number as usize);
         match self {
             Self::Unary(function) => function.evaluate(a),
@@ -51,6 +64,9 @@ impl Function {
                 interpolation(number).map_or(f64::NAN, |interpolation| interpolation.value(a, b))
             }
             Self::Binomial => program::binomial(a, b, c),
+            Self::Growth => engine::dormand_prince_growth(a, b),
+            Self::Shrinkage => engine::dormand_prince_shrinkage(a),
+            Self::SignChanges => engine::sign_changes(a, b, c, d, e, f),
         }
     }
 }
@@ -64,6 +80,8 @@ pub enum Plain {
     Two(fn(f64, f64) -> f64),
     /// A function of three operands.
     Three(fn(f64, f64, f64) -> f64),
+    /// A function of six operands.
+    Six(fn(f64, f64, f64, f64, f64, f64) -> f64),
 }
 
 fn one(function: Unary) -> fn(f64) -> f64 {

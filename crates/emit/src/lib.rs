@@ -1,18 +1,24 @@
 //! WebAssembly for the steps of a model: whole steps of a method as straight code, without registers in memory and without
 //! dispatch.
 //!
-//! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] describes, and the functions
-//! of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of the block in bytes and
-//! the greatest number of steps, and returns the number of steps that [`engine::Compiled::run`] returns. All operations are
+//! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] or [`engine::WindowLayout`]
+//! describes, and the functions of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of
+//! the block in bytes and the greatest number of steps or rows, and returns what [`engine::Compiled::run`] returns. All operations are
 //! done in the order of the interpreter and none is fused, so that the results have the same bits.
 
 mod body;
+mod calls;
+mod checks;
 mod function;
+mod interpolation;
 mod methods;
 mod sink;
+mod step;
+mod window;
 
 pub use function::{Function, Plain};
 
+use calls::Calls;
 use engine::Listing;
 use sink::Sink;
 use wasm_encoder::{
@@ -45,25 +51,37 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
     if operations > MOST_OPERATIONS {
         return Err(TooManyOperations(operations));
     }
-    let mut sink = Sink::default();
+    let calls = Calls::of(listing);
+    let mut sink = Sink::new(&calls);
     methods::steps(listing, &mut sink);
-    let (run, functions) = sink.finish();
+    let run = sink.finish();
 
     let (mut types, mut imports) = (TypeSection::new(), ImportSection::new());
-    for operands in 1..=3 {
+    for operands in 1..=Function::MOST_OPERANDS {
         types.ty().function(std::iter::repeat_n(ValType::F64, operands), [ValType::F64]);
     }
     types.ty().function([ValType::I32, ValType::I32], [ValType::I32]);
     let memory = MemoryType { minimum: 0, maximum: None, memory64: false, shared: false, page_size_log2: None };
     imports.import("block", "memory", memory);
-    for (number, function) in functions.iter().enumerate() {
+    for (number, function) in calls.imported.iter().enumerate() {
         imports.import("function", &number.to_string(), EntityType::Function(function.operands() as u32 - 1));
     }
     let (mut own, mut exports, mut code) = (FunctionSection::new(), ExportSection::new(), CodeSection::new());
-    own.function(3);
-    exports.export("run", ExportKind::Func, functions.len() as u32);
+    own.function(Function::MOST_OPERANDS as u32);
+    exports.export("run", ExportKind::Func, calls.imported.len() as u32);
     code.function(&run);
+    for &function in &calls.own {
+        let of = |number: u32| &listing.interpolations[number as usize];
+        let body = match function {
+            Function::Interpolated(number) => interpolation::value(of(number)),
+            Function::Piece(number) => interpolation::piece(of(number)),
+            // All others are imported.
+            _ => continue,
+        };
+        own.function(function.operands() as u32 - 1);
+        code.function(&body);
+    }
     let mut module = wasm_encoder::Module::new();
     module.section(&types).section(&imports).section(&own).section(&exports).section(&code);
-    Ok(Module { bytes: module.finish(), functions })
+    Ok(Module { bytes: module.finish(), functions: calls.imported })
 }

@@ -1,10 +1,11 @@
-//! The steps of the methods. Each is the one of the engine (`methods/fixed.rs`, `methods/dormand_prince.rs`) with the same
-//! operations in the same order.
+//! The steps of the fixed-step methods. Each is the one of the engine (`methods/fixed.rs`) with the same operations in the
+//! same order.
 
 use crate::body::Body;
 use crate::sink::{Local, Sink};
-use engine::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
-use engine::{Listing, Method};
+use crate::window;
+use engine::tableau::STAGES;
+use engine::{Listing, Method, WindowListing};
 
 /// Number of operations of a step, about.
 pub(crate) fn operations(listing: &Listing) -> usize {
@@ -15,13 +16,23 @@ pub(crate) fn operations(listing: &Listing) -> usize {
         Method::RungeKutta4 => (4, 14),
         Method::DormandPrince | Method::Rosenbrock => (STAGES - 1, 84),
     };
-    stages * listing.lines.len() + sums * listing.states.len()
+    let moving = listing.still.iter().filter(|still| still.is_none()).count();
+    // Conditions are evaluated once, and compared values two times.
+    let of_checks = |window: &WindowListing| {
+        let lines = window.formulas.each_ref().map(|formulas| formulas.lines.len());
+        lines.iter().sum::<usize>() + lines[2] + lines[3] + 12 * listing.states.len()
+    };
+    let checks = listing.window.as_ref().map_or(0, of_checks);
+    stages * listing.lines.len() + sums * moving + stages * (listing.states.len() - moving) + checks
 }
 
 /// Emits the loop over the steps.
 pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
+    if let Some(window) = &listing.window {
+        return window::intervals(listing, window, sink);
+    }
     let layout = listing.layout;
-    let body = Body::new(listing, sink);
+    let body = Body::of_rates(listing, sink);
     let [first, spacing, size, time] = std::array::from_fn(|_| sink.local());
     for (local, place) in [(first, layout.first()), (spacing, layout.spacing()), (size, layout.size())] {
         sink.load(place);
@@ -35,11 +46,10 @@ pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
     let stages = match listing.method {
         Method::Euler => 1,
         Method::EulerRichardson | Method::VelocityVerlet => 2,
-        Method::RungeKutta4 => 4,
-        Method::DormandPrince | Method::Rosenbrock => STAGES,
+        Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => 4,
     };
     let rates = (0..stages).map(|_| sink.locals(layout.states)).collect();
-    let step = Step { body, time, size, states: states.clone(), rates };
+    let step = Step { body, time, size, states: states.clone(), rates, still: &listing.still };
     sink.repeat(&states, |sink| {
         sink.get(first);
         sink.made();
@@ -51,9 +61,8 @@ pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
             Method::Euler => step.euler(sink),
             Method::EulerRichardson => step.euler_richardson(sink),
             Method::VelocityVerlet => step.velocity_verlet(sink, &listing.pairs),
-            Method::RungeKutta4 => step.runge_kutta(sink),
-            // Listings of the stiff method do not exist.
-            Method::DormandPrince | Method::Rosenbrock => step.dormand_prince(sink, listing),
+            // Listings of the Dormand-Prince method have a window, and those of the stiff method do not exist.
+            Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => step.runge_kutta(sink),
         }
         for (k, &state) in states.iter().enumerate() {
             sink.store_in_row(layout.row(0) + k, state);
@@ -69,6 +78,8 @@ struct Step<'a> {
     states: Vec<Local>,
     /// Rates of each stage.
     rates: Vec<Vec<Local>>,
+    /// For each state its rate if that is the constant 0 or -0, which all sums of its rates are then, too.
+    still: &'a [Option<f64>],
 }
 
 impl Step<'_> {
@@ -135,6 +146,12 @@ impl Step<'_> {
         for (k, &state) in self.states.iter().enumerate() {
             // from + sixth * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4)
             sink.get(state);
+            if let Some(zero) = self.still[k] {
+                sink.constant(zero);
+                sink.add();
+                sink.set(state);
+                continue;
+            }
             sink.get(sixth);
             sink.get(self.rates[0][k]);
             for stage in [1, 2] {
@@ -148,71 +165,6 @@ impl Step<'_> {
             sink.multiply();
             sink.add();
             sink.set(state);
-        }
-    }
-
-    /// One attempt; the rates of the first stage are given in the block, those of the last one, the error and the
-    /// coefficients of the continuous solution are stored there.
-    fn dormand_prince(&self, sink: &mut Sink, listing: &Listing) {
-        let layout = listing.layout;
-        for (k, &rate) in self.rates[0].iter().enumerate() {
-            sink.load(layout.first_rates() + k);
-            sink.set(rate);
-        }
-        for stage in 1..STAGES {
-            for k in 0..self.states.len() {
-                sink.get(self.states[k]);
-                sink.get(self.size);
-                self.weighted(sink, STAGE_WEIGHTS[stage], k);
-                sink.multiply();
-                sink.add();
-                sink.set(self.body.state(k));
-            }
-            sink.instructions().local_get(self.time).f64_const(NODES[stage].into()).local_get(self.size);
-            sink.multiply();
-            sink.add();
-            sink.set(self.body.time());
-            self.body.evaluate(sink, &self.rates[stage]);
-        }
-        let [result, change, bend] = std::array::from_fn(|_| sink.local());
-        for (k, &state) in self.states.iter().enumerate() {
-            let [first, last] = [self.rates[0][k], self.rates[STAGES - 1][k]];
-            sink.store(layout.last_rates() + k, last);
-            self.weighted(sink, &ERROR_WEIGHTS, k);
-            sink.get(self.size);
-            sink.multiply();
-            sink.set(result);
-            sink.store(layout.error() + k, result);
-            sink.store(layout.dense(0) + k, state);
-            // The last stage is evaluated at the result.
-            let to = self.body.state(k);
-            sink.instructions().local_get(to).local_get(state).f64_sub().local_set(change);
-            sink.store(layout.dense(1) + k, change);
-            sink.instructions().local_get(self.size).local_get(first).f64_mul().local_get(change).f64_sub();
-            sink.set(bend);
-            sink.store(layout.dense(2) + k, bend);
-            // change - size * last - bend
-            sink.instructions().local_get(change).local_get(self.size).local_get(last).f64_mul().f64_sub();
-            sink.instructions().local_get(bend).f64_sub().local_set(result);
-            sink.store(layout.dense(3) + k, result);
-            self.weighted(sink, &DENSE_WEIGHTS, k);
-            sink.get(self.size);
-            sink.multiply();
-            sink.set(result);
-            sink.store(layout.dense(4) + k, result);
-            sink.get(to);
-            sink.set(state);
-        }
-    }
-
-    /// Pushes weights . rates of state `k`, summed from the left, starting with 0.
-    fn weighted(&self, sink: &mut Sink, weights: &[f64], k: usize) {
-        sink.constant(0.0);
-        for (&weight, rates) in weights.iter().zip(&self.rates) {
-            sink.constant(weight);
-            sink.get(rates[k]);
-            sink.multiply();
-            sink.add();
         }
     }
 
@@ -248,8 +200,10 @@ impl Step<'_> {
 
     /// Sets the arguments of the right-hand side to states + size * rates of a stage.
     fn advance(&self, sink: &mut Sink, size: Local, stage: usize) {
-        for (k, &state) in self.states.iter().enumerate() {
-            multiply_add(sink, state, size, self.rates[stage][k]);
+        // Constant states are set in the first stage.
+        let set = |k: usize| stage == 0 || self.still[k].is_none();
+        for (k, &state) in self.states.iter().enumerate().filter(|(k, _)| set(*k)) {
+            self.moved(sink, state, size, (stage, k));
             sink.set(self.body.state(k));
         }
     }
@@ -257,8 +211,19 @@ impl Step<'_> {
     /// Sets the states to states + size * rates of a stage.
     fn finish(&self, sink: &mut Sink, size: Local, stage: usize) {
         for (k, &state) in self.states.iter().enumerate() {
-            multiply_add(sink, state, size, self.rates[stage][k]);
+            self.moved(sink, state, size, (stage, k));
             sink.set(state);
+        }
+    }
+
+    /// Pushes state + size * rate of state `k` at a stage.
+    fn moved(&self, sink: &mut Sink, state: Local, size: Local, (stage, k): (usize, usize)) {
+        if let Some(zero) = self.still[k] {
+            sink.get(state);
+            sink.constant(zero);
+            sink.add();
+        } else {
+            multiply_add(sink, state, size, self.rates[stage][k]);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Instructions of the function `run` in the making.
 
+use crate::calls::Calls;
 use crate::function::Function;
 use wasm_encoder::{BlockType, InstructionSink, MemArg, ValType};
 
@@ -14,19 +15,33 @@ const COUNT: u32 = 1;
 const MADE: u32 = 2;
 /// Address of the row of the step, relative to that of row 0 in the block.
 const ROW: u32 = 3;
+/// Address of the record of the last step, relative to that of record 0 in the block.
+const RECORD: u32 = 4;
 /// First local variable with a floating-point number.
-const FIRST_LOCAL: u32 = 4;
+const FIRST_LOCAL: u32 = 5;
+
+/// Number of blocks, loops and conditions around the instructions in one of these.
+pub(crate) type Label = u32;
+
+/// Block around the loop of [`Sink::begin_loop`].
+const LOOP: Label = 1;
 
 /// Instructions of `run`, its local variables and the functions that it calls. Values are passed on the stack: methods
 /// that compute push one value and pop their operands.
-#[derive(Debug, Default)]
-pub(crate) struct Sink {
+#[derive(Debug)]
+pub(crate) struct Sink<'a> {
     code: Vec<u8>,
     locals: u32,
-    functions: Vec<Function>,
+    calls: &'a Calls,
+    depth: Label,
 }
 
-impl Sink {
+impl<'a> Sink<'a> {
+    /// Begins the function.
+    pub fn new(calls: &'a Calls) -> Self {
+        Self { code: Vec::new(), locals: 0, calls, depth: 0 }
+    }
+
     /// Instructions of the encoder.
     pub fn instructions(&mut self) -> InstructionSink<'_> {
         InstructionSink::new(&mut self.code)
@@ -78,14 +93,108 @@ impl Sink {
         self.instructions().local_get(BLOCK).local_get(ROW).i32_add().local_get(local).f64_store(at(place));
     }
 
-    /// Calls an imported function.
+    /// Stores a local variable as number `place` of the block, counted in the record of the last step.
+    pub fn store_in_record(&mut self, place: usize, local: Local) {
+        self.instructions().local_get(BLOCK).local_get(RECORD).i32_add().local_get(local).f64_store(at(place));
+    }
+
+    /// Goes on to the next record, `length` numbers further.
+    pub fn next_record(&mut self, length: usize) {
+        self.instructions().local_get(RECORD).i32_const(8 * length as i32).i32_add().local_set(RECORD);
+    }
+
+    /// Counts a row, and goes on to the next one, `length` numbers further.
+    pub fn next_row(&mut self, length: usize) {
+        self.instructions().local_get(ROW).i32_const(8 * length as i32).i32_add().local_set(ROW);
+        self.instructions().local_get(MADE).i32_const(1).i32_add().local_set(MADE);
+    }
+
+    /// Adds 1 to a local variable.
+    pub fn increase(&mut self, local: Local) {
+        self.instructions().local_get(local).f64_const(1.0.into()).f64_add().local_set(local);
+    }
+
+    /// Pushes the number of steps or rows to make.
+    pub fn count(&mut self) {
+        self.instructions().local_get(COUNT);
+    }
+
+    pub fn begin_block(&mut self) {
+        self.depth += 1;
+        self.instructions().block(BlockType::Empty);
+    }
+
+    pub fn begin_repeat(&mut self) {
+        self.depth += 1;
+        self.instructions().loop_(BlockType::Empty);
+    }
+
+    /// Begins the instructions for the case that the number on the stack is not 0.
+    pub fn begin_if(&mut self) {
+        self.depth += 1;
+        self.instructions().if_(BlockType::Empty);
+    }
+
+    /// Begins the instructions for the other case.
+    pub fn otherwise(&mut self) {
+        self.instructions().else_();
+    }
+
+    /// Ends the innermost block, loop or condition.
+    pub fn end(&mut self) {
+        self.depth -= 1;
+        self.instructions().end();
+    }
+
+    /// The innermost block, loop or condition.
+    pub fn label(&self) -> Label {
+        self.depth
+    }
+
+    /// Goes to the end of a block or condition, or to the begin of a loop.
+    pub fn branch(&mut self, label: Label) {
+        let outwards = self.depth - label;
+        self.instructions().br(outwards);
+    }
+
+    /// [`Sink::branch`] if the number on the stack is not 0.
+    pub fn branch_if(&mut self, label: Label) {
+        let outwards = self.depth - label;
+        self.instructions().br_if(outwards);
+    }
+
+    /// Begins the loop that only [`Sink::leave`] and its like end.
+    pub fn begin_loop(&mut self) {
+        self.begin_block();
+        self.begin_repeat();
+    }
+
+    pub fn end_loop(&mut self) {
+        self.branch(LOOP + 1);
+        self.end();
+        self.end();
+    }
+
+    /// Leaves the loop.
+    pub fn leave(&mut self) {
+        self.branch(LOOP);
+    }
+
+    /// Leaves the loop if the number on the stack is not 0.
+    pub fn leave_if(&mut self) {
+        self.branch_if(LOOP);
+    }
+
+    /// Leaves the loop if all rows are made.
+    pub fn leave_if_all_made(&mut self) {
+        self.instructions().local_get(MADE).local_get(COUNT).i32_ge_u();
+        self.leave_if();
+    }
+
+    /// Calls a function.
     pub fn call(&mut self, function: Function) {
-        let known = self.functions.iter().position(|&known| known == function);
-        let number = known.unwrap_or_else(|| {
-            self.functions.push(function);
-            self.functions.len() - 1
-        });
-        self.instructions().call(number as u32);
+        let number = self.calls.number(function);
+        self.instructions().call(number);
     }
 
     /// Pushes the number of steps made.
@@ -109,13 +218,13 @@ impl Sink {
         self.instructions().local_get(COUNT).i32_lt_u().br_if(1).end().end();
     }
 
-    /// The function `run`, which returns the number of steps made, and the functions that it calls.
-    pub fn finish(mut self) -> (wasm_encoder::Function, Vec<Function>) {
+    /// The function `run`, which returns the number of steps or rows made.
+    pub fn finish(mut self) -> wasm_encoder::Function {
         self.instructions().local_get(MADE).end();
         let locals = [(FIRST_LOCAL - MADE, ValType::I32), (self.locals, ValType::F64)];
         let mut run = wasm_encoder::Function::new(locals);
         run.raw(self.code);
-        (run, self.functions)
+        run
     }
 }
 

@@ -6,7 +6,8 @@ use crate::methods::stepper::grid_index;
 use crate::record::checkpoints::Checkpoints;
 use crate::record::ranges::Ranges;
 use crate::{
-    Compiled, History, Interpreted, Listing, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup, Stepper,
+    Compiled, Compiler, History, Interpreted, Listing, Notice, NoticeKind, Press, Progress, Readings, RunError, Setup,
+    Stepper,
 };
 use program::{Model, NodeId};
 use std::rc::Rc;
@@ -131,6 +132,13 @@ impl Run {
     /// Makes all later steps with compiled code ([`Stepper::use_compiled`]).
     pub fn use_compiled(&mut self, code: Rc<dyn Compiled>) {
         self.stepper.use_compiled(code);
+    }
+
+    /// Makes all later steps with the code of `compiler`, if there is any.
+    pub fn compile(&mut self, compiler: &dyn Compiler) {
+        if let Some(code) = self.listing().ok().and_then(|listing| compiler.compile(listing)) {
+            self.use_compiled(code);
+        }
     }
 
     /// Approximate number of floating-point operations so far.

@@ -5,6 +5,7 @@ use emit::{Function, Plain};
 use engine::{Compiled, Interpreted, Listing};
 use js_sys::{Object, Reflect, Uint8Array, WebAssembly};
 use program::Interpolation;
+use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -43,6 +44,38 @@ pub fn compile(listing: Result<Listing, Interpreted>) -> Result<Rc<dyn Compiled>
         .map_err(|error| Fallback::Refused(format!("{error:?}")))
 }
 
+/// Compiles steps and keeps the code of the last listings: a run that begins again has the same.
+#[derive(Debug, Default)]
+pub struct Compiler {
+    /// Last used first.
+    known: RefCell<Vec<Known>>,
+}
+
+/// A listing with its code; `None` if its steps are interpreted.
+type Known = (Listing, Option<Rc<dyn Compiled>>);
+
+impl Compiler {
+    /// Maximum number of listings kept.
+    const KEPT: usize = 4;
+}
+
+impl engine::Compiler for Compiler {
+    fn compile(&self, listing: Listing) -> Option<Rc<dyn Compiled>> {
+        let mut known = self.known.borrow_mut();
+        let entry = match known.iter().position(|(known, _)| *known == listing) {
+            Some(place) => known.remove(place),
+            None => {
+                let code = compile(Ok(listing.clone())).ok();
+                (listing, code)
+            }
+        };
+        let code = entry.1.clone();
+        known.insert(0, entry);
+        known.truncate(Self::KEPT);
+        code
+    }
+}
+
 /// An instance of an emitted module.
 struct Instance {
     exports: Exports,
@@ -61,6 +94,7 @@ impl Instance {
                 Some(Plain::One(function)) => table.get(function as usize as u32)?.into(),
                 Some(Plain::Two(function)) => table.get(function as usize as u32)?.into(),
                 Some(Plain::Three(function)) => table.get(function as usize as u32)?.into(),
+                Some(Plain::Six(function)) => table.get(function as usize as u32)?.into(),
                 None => {
                     let closure = with_data(function, interpolations.to_vec());
                     let value = closure.as_ref().clone();
@@ -82,7 +116,7 @@ impl Instance {
 
 /// A function of an interpolation.
 fn with_data(function: Function, interpolations: Vec<Arc<Interpolation>>) -> Closure<dyn Fn(f64, f64) -> f64> {
-    Closure::new(move |a, b| function.value([a, b, 0.0], &interpolations))
+    Closure::new(move |a, b| function.value([a, b, 0.0, 0.0, 0.0, 0.0], &interpolations))
 }
 
 impl fmt::Debug for Instance {

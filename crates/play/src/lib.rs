@@ -26,6 +26,7 @@ mod changes;
 mod claims;
 mod controls;
 mod facts;
+mod motion;
 mod open_run;
 mod play;
 mod plots;

@@ -1,6 +1,6 @@
 //! Golden runs: documents whose runs must have the same bits on every machine.
 
-use engine::{Advance, Method, Run, Setup};
+use engine::{Advance, Compiler, Method, Run, Setup};
 use program::Seat;
 use units::split_mix::scramble;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -49,6 +49,17 @@ const SEATS: u32 = 25_000;
 /// `assigned seats learners fingerprint`. They are stored in `golden.txt`.
 #[wasm_bindgen]
 pub fn golden() -> String {
+    listed(fingerprint)
+}
+
+/// [`golden`] with the steps in emitted code where there is any; in WebAssembly only.
+#[wasm_bindgen]
+pub fn golden_emitted() -> String {
+    let compiler = host::Compiler::default();
+    listed(|text, method, until| said(run(text, method, until, Some(&compiler))))
+}
+
+fn listed(fingerprint: impl Fn(&str, &str, f64) -> String) -> String {
     let runs = RUNS.iter().map(|(name, text, method, until)| {
         let found = fingerprint(text, method.name(), *until);
         format!("{name} {} {until} {found}\n", method.name())
@@ -70,17 +81,24 @@ fn assigned() -> Result<String, String> {
 /// message. `method`: name of the method.
 #[wasm_bindgen]
 pub fn fingerprint(document: &str, method: &str, until: f64) -> String {
-    match run(document, method, until) {
+    said(run(document, method, until, None))
+}
+
+fn said(run: Result<Run, String>) -> String {
+    match run {
         Ok(run) => format!("{:016x}", run.history().fingerprint()),
         Err(message) => message,
     }
 }
 
-fn run(text: &str, method: &str, until: f64) -> Result<Run, String> {
+fn run(text: &str, method: &str, until: f64, compiler: Option<&dyn Compiler>) -> Result<Run, String> {
     let mut setup = setup(text)?;
     setup.1.method = method.parse().map_err(|_| format!("no method {method}"))?;
     let (document, setup) = setup;
     let mut run = Run::start(&document.program.model, setup).map_err(|error| error.to_string())?;
+    if let Some(compiler) = compiler {
+        run.compile(compiler);
+    }
     while run.time() < until {
         if run.advance().map_err(|error| error.to_string())? == Advance::Full {
             break;

@@ -1,7 +1,7 @@
 //! Comparison of an emitted run with an interpreted one.
 
 use crate::host::Instance;
-use engine::{Run, Setup};
+use engine::{Method, Run, Setup};
 use program::Model;
 use std::rc::Rc;
 
@@ -17,7 +17,23 @@ pub enum Compared {
 /// Work of an advance at most, so that a program with many steps in a row is compared in bounded time.
 const WORK: u64 = 100_000;
 
-/// Compares `rows` advances, of a row each or less; a parameter changes in the middle, and later the runs go back. Panics at the first difference.
+const METHODS: [Method; 5] =
+    [Method::Euler, Method::EulerRichardson, Method::VelocityVerlet, Method::RungeKutta4, Method::DormandPrince];
+
+/// Compares the runs of a text of a model by all methods that can be emitted; returns the number of rows. Panics at the first
+/// difference. A text with errors, as constants that are not finite, has no rows.
+pub fn compare_text(text: &str) -> usize {
+    let Some(checked) = model::compile(text, std::slice::from_ref(&(0..text.len()))).0 else { return 0 };
+    let rows =
+        METHODS.map(|method| match compare(&checked.model, Setup { method, ..Setup::defaults(&checked.model) }, 24) {
+            Compared::Rows(rows) => rows,
+            Compared::Interpreted(reason) => panic!("{reason}\n{text}"),
+        });
+    rows.iter().sum()
+}
+
+/// Compares `rows` advances, of a row each or less; a parameter changes in the middle, and later the runs go back. Panics at
+/// the first difference.
 pub fn compare(model: &Model, setup: Setup, rows: usize) -> Compared {
     let Ok(mut interpreted) = Run::start(model, setup) else { return Compared::Rows(0) };
     let mut emitted = interpreted.clone();
@@ -36,6 +52,10 @@ pub fn compare(model: &Model, setup: Setup, rows: usize) -> Compared {
         assert_eq!(interpreted.work(), emitted.work(), "row {row}");
         if one.is_err() {
             break;
+        }
+        if row == rows / 3 {
+            // A run takes over compiled code at any time.
+            emitted.use_compiled(Rc::new(Instance::new(&module, &listing)));
         }
         if row == rows / 2 {
             // A changed parameter discards steps that are computed in advance.

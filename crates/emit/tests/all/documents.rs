@@ -43,9 +43,9 @@ fn the_documents_run_with_the_same_bits_in_emitted_code() {
     }
     let expected = [
         "double-pendulum.md: LinearSystem",
-        "gas.md: TooManyOperations(20356)",
+        "gas.md: TooManyOperations(20218)",
         "logistic-map.md: Counting",
-        "string.md: TooManyOperations(14934)",
+        "string.md: TooManyOperations(16636)",
         "van-der-pol.md: Method(Rosenbrock)",
     ];
     assert_eq!(interpreted, expected);

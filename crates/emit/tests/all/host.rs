@@ -1,6 +1,6 @@
 //! A host that runs emitted modules.
 
-use emit::Module;
+use emit::{Function, Module};
 use engine::{Compiled, Listing};
 use std::cell::RefCell;
 use wasmi::{Caller, Engine, Func, FuncType, Linker, Memory, MemoryType, Store, TypedFunc, Val, ValType};
@@ -11,6 +11,8 @@ pub struct Instance {
     store: RefCell<Store<()>>,
     memory: Memory,
     run: TypedFunc<(i32, i32), i32>,
+    /// Length of the part of the block that a single attempt of a step uses.
+    attempt: usize,
 }
 
 impl Instance {
@@ -25,7 +27,7 @@ impl Instance {
         for (number, function) in module.functions.iter().copied().enumerate() {
             let interpolations = listing.interpolations.clone();
             let call = move |_: Caller<'_, ()>, operands: &[Val], results: &mut [Val]| {
-                let mut numbers = [0.0; 3];
+                let mut numbers = [0.0; Function::MOST_OPERANDS];
                 for (number, operand) in numbers.iter_mut().zip(operands) {
                     *number = f64::from(operand.f64().expect("a number"));
                 }
@@ -38,12 +40,14 @@ impl Instance {
         }
         let instance = linker.instantiate_and_start(&mut store, &compiled).expect("all imports");
         let run = instance.get_typed_func(&store, "run").expect("a function `run`");
-        Self { store: RefCell::new(store), memory, run }
+        let attempt = listing.window.as_ref().map_or(0, |window| window.layout.record(2));
+        Self { store: RefCell::new(store), memory, run, attempt }
     }
 }
 
 impl Compiled for Instance {
     fn run(&self, block: &mut [f64], count: u32) -> u32 {
+        let block = if count == 0 { &mut block[..self.attempt] } else { block };
         let store = &mut *self.store.borrow_mut();
         let bytes: Vec<u8> = block.iter().flat_map(|number| number.to_le_bytes()).collect();
         self.memory.write(&mut *store, 0, &bytes).expect("memory for the block");

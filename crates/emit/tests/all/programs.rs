@@ -1,5 +1,7 @@
 //! Models made of arbitrary bytes, for tests and fuzzing.
 
+use units::split_mix::SplitMix64;
+
 /// Text of a model. Each byte decides one thing about it; where they end, zeros follow.
 pub fn text(bytes: &[u8]) -> String {
     let mut bytes = Bytes(bytes);
@@ -10,9 +12,18 @@ smooth table curve(x) { -3 -2  -1 -0.4  0 0.1  1 0.4  3 2 }
 "
     .to_owned();
     let rates = 1 + bytes.next(3);
-    text += &format!("x'' = {}\n", bytes.expression(5));
-    for rate in 0..rates {
-        text += &format!("{}' = {}\n", ["a", "b", "c"][rate], bytes.expression(4));
+    // Most programs stay finite for many steps, with and without switches.
+    let wildness = bytes.next(5);
+    let tame = wildness > 0;
+    let bounded = |rate: String, damping: &str| match wildness {
+        0 => rate,
+        1 | 2 => format!("{damping} + (if abs({rate}) < 100 then 0.5*sin({rate}) else 0.2)"),
+        _ => format!("{damping} + 0.5*sin({rate})"),
+    };
+    text += &format!("x'' = {}\n", bounded(bytes.expression(if tame { 3 } else { 5 }), "-2*x - 0.2*x'"));
+    for name in &["a", "b", "c"][..rates] {
+        let rate = bytes.expression(if tame { 3 } else { 4 });
+        text += &format!("{name}' = {}\n", bounded(rate, &format!("-0.7*{name}")));
     }
     // Not all of them are read.
     for unread in rates..3 {
@@ -23,9 +34,23 @@ smooth table curve(x) { -3 -2  -1 -0.4  0 0.1  1 0.4  3 2 }
     match bytes.next(4) {
         0 => text += "when x > 1 { x' = -0.8*x' }\n",
         1 => text += "every 0.2 { a = a + p }\n",
+        2 => text += &format!("when {} > {} {{ b = b - 0.5 }}\n", bytes.expression(3), bytes.expression(2)),
+        _ => {}
+    }
+    match bytes.next(4) {
+        0 => text += "top = maximum(x)\nwhen x < 0.5*top { c = c + 1 }\n",
+        1 => text += &format!("when {} < {} {{ a = -a }}\n", bytes.expression(2), bytes.number()),
+        2 => text += "when s > 0.35 { x' = x' + p }\n",
         _ => {}
     }
     text
+}
+
+/// Text of the model of a seed.
+pub fn of_seed(seed: u64) -> String {
+    let mut random = SplitMix64::new(seed);
+    let bytes: Vec<u8> = std::iter::repeat_with(|| random.bits() as u8).take(200).collect();
+    text(&bytes)
 }
 
 /// Bytes that are left.
@@ -41,7 +66,8 @@ impl Bytes<'_> {
 
     /// A literal.
     fn number(&mut self) -> &'static str {
-        ["0", "1", "-1", "0.5", "2.25", "-3.75", "1e-300", "1e200", "0.1"][self.next(9)]
+        let number = self.next(11);
+        ["0", "1", "-1", "0.5", "2.25", "-3.75", "0.1", "-0.3", "1.7", "1e-300", "1e200"][number]
     }
 
     /// An expression of at most this depth.
@@ -52,7 +78,7 @@ impl Bytes<'_> {
         ];
         const TWO: [&str; 6] = ["+", "-", "*", "/", "^", "+"];
         const CALLS: [&str; 4] = ["atan2", "min", "max", "mod"];
-        const COMPARISONS: [&str; 6] = ["<", "<=", ">", ">=", "=", "!="];
+        const COMPARISONS: [&str; 6] = ["<", "<=", ">", ">=", "==", "!="];
         if depth == 0 {
             return match self.next(8) {
                 0 => self.number().to_owned(),
@@ -61,6 +87,8 @@ impl Bytes<'_> {
         }
         match self.next(10) {
             0 => self.expression(0),
+            // Always finite.
+            9 => format!("sin({})", self.expression(0)),
             1 | 2 => format!("{}({})", ONE[self.next(ONE.len())], self.expression(depth - 1)),
             3 => format!(
                 "{}({}, {})",

@@ -1,8 +1,10 @@
 //! Compiles expressions of a model to register code and evaluates them.
 
 use super::compile::compile;
+use crate::code::instruction::Operation;
 use crate::code::lines::{Line, lines};
 use crate::code::{Code, Register, run};
+use crate::compiled::listing::Formulas;
 use program::{Graph, Interpolation, Model, NodeId};
 use std::sync::Arc;
 
@@ -106,6 +108,19 @@ impl Routine {
     /// The operations of an evaluation; `None` if it solves linear systems.
     pub(crate) fn lines(&self) -> Option<Vec<Line>> {
         lines(&self.code.body, &self.code.columns)
+    }
+
+    /// The operations as formulas whose interpolations are appended to `interpolations`; `None` if they solve linear systems.
+    pub(crate) fn formulas(&self, interpolations: &mut Vec<Arc<Interpolation>>) -> Option<Formulas> {
+        let mut lines = self.lines()?;
+        let first = interpolations.len() as u32;
+        for line in &mut lines {
+            if let Operation::Piece(number) | Operation::Interpolated(number) = &mut line.operation {
+                *number += first;
+            }
+        }
+        interpolations.extend(self.interpolations().iter().cloned());
+        Some(Formulas { lines, roots: self.roots().to_vec(), registers: self.registers().len() })
     }
 
     /// Values of the registers, those of constants, parameters and initial values prepared.

@@ -1,7 +1,7 @@
 //! Compiled code with the numbers that it works on.
 
-use super::Compiled;
 use super::layout::Layout;
+use super::{Compiled, copy};
 use std::rc::Rc;
 
 /// Compiled code with its block of numbers, and the rows that it has computed in advance.
@@ -32,57 +32,39 @@ impl Block {
     /// Takes over the registers after a change of parameters, held values or initial values.
     pub fn load(&mut self, registers: &[f64]) {
         self.numbers[..registers.len()].copy_from_slice(registers);
-        self.ahead = Ahead::default();
+        self.forget();
     }
 
     /// Makes one step of a fixed-step method: from the state `from` at `time` (SI) over `size` (SI) to the state `to`.
     pub fn step(&mut self, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
-        self.ahead = Ahead::default();
+        self.forget();
         self.run([time, 1.0, size], from, 1);
         to.copy_from_slice(self.states(self.layout.row(0)));
     }
 
-    /// Moves the state from grid point `index` to the next one by a fixed-step method. Several steps are computed at once;
-    /// the next calls take their rows. False if the state would not be finite; it is then unchanged.
+    /// Computes rows from grid point `index` on by a fixed-step method.
+    pub fn begin(&mut self, index: u64, step: f64, state: &[f64]) {
+        let rows = self.layout.rows as u32;
+        self.ahead = Ahead { index, taken: 0, count: self.run([index as f64, step, step], state, rows) };
+    }
+
+    /// Moves the state from grid point `index` to the next one, if that row is computed.
     #[inline]
-    pub fn step_on_grid(&mut self, index: u64, step: f64, state: &mut [f64]) -> bool {
-        if self.ahead.index != index || self.ahead.taken >= self.ahead.count {
-            let rows = self.layout.rows as u32;
-            self.ahead = Ahead { index, taken: 0, count: self.run([index as f64, step, step], state, rows) };
-            if self.ahead.count == 0 {
-                return false;
-            }
+    pub fn take_row(&mut self, index: u64, state: &mut [f64]) -> bool {
+        let Ahead { index: next, taken, count } = &mut self.ahead;
+        if *next != index || *taken >= *count {
+            return false;
         }
-        state.copy_from_slice(self.states(self.layout.row(self.ahead.taken)));
-        self.ahead.index += 1;
-        self.ahead.taken += 1;
+        let first = self.layout.row(*taken);
+        *next += 1;
+        *taken += 1;
+        copy(&self.numbers[first..first + self.layout.states], state);
         true
     }
 
-    /// Makes an attempt of a step of the Dormand-Prince method; the rates of the first stage are given
-    /// (`first`), those of the last one are a result (`last`).
-    pub fn attempt(
-        &mut self,
-        time: f64,
-        size: f64,
-        from: &[f64],
-        to: &mut [f64],
-        error: &mut [f64],
-        [first, last]: [&mut [f64]; 2],
-    ) {
-        let layout = self.layout;
-        self.numbers[layout.first_rates()..layout.last_rates()].copy_from_slice(first);
-        self.run([time, 1.0, size], from, 1);
-        to.copy_from_slice(self.states(layout.row(0)));
-        error.copy_from_slice(self.states(layout.error()));
-        last.copy_from_slice(self.states(layout.last_rates()));
-    }
-
-    /// Coefficients of the continuous solution over the step of the last attempt: five lists of one per state.
-    pub fn dense(&self, coefficients: &mut [Vec<f64>; 5]) {
-        for (degree, coefficients) in coefficients.iter_mut().enumerate() {
-            coefficients.copy_from_slice(self.states(self.layout.dense(degree)));
-        }
+    /// Discards the rows that are computed.
+    pub fn forget(&mut self) {
+        self.ahead = Ahead::default();
     }
 
     fn run(&mut self, settings: [f64; 3], from: &[f64], count: u32) -> usize {

@@ -1,4 +1,4 @@
-//! Places of the numbers that compiled code reads and writes.
+//! Places of the numbers that compiled code of a fixed-step method reads and writes.
 
 /// Indices into the block of numbers that compiled code shares with the engine. All values are in SI units; lists of states
 /// and rates are in the order of the model.
@@ -39,28 +39,8 @@ impl Layout {
         self.from() + (1 + k) * self.states
     }
 
-    /// Dormand-Prince: first estimated error.
-    pub const fn error(self) -> usize {
-        self.row(1)
-    }
-
-    /// Dormand-Prince: first rate of the first stage, which is given.
-    pub const fn first_rates(self) -> usize {
-        self.row(2)
-    }
-
-    /// Dormand-Prince: first rate of the last stage.
-    pub const fn last_rates(self) -> usize {
-        self.row(3)
-    }
-
-    /// Dormand-Prince: first coefficient of degree `degree`, 0 to 4, of the continuous solution.
-    pub const fn dense(self, degree: usize) -> usize {
-        self.row(4 + degree)
-    }
-
     /// Length of the block.
     pub(super) fn len(self) -> usize {
-        self.row(self.rows).max(self.dense(5))
+        self.row(self.rows)
     }
 }

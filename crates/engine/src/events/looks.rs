@@ -6,6 +6,7 @@
 //! error is too large, the interval is divided. No condition changes between two neighbouring zeros of all interpolants, so
 //! one evaluation there is enough. If the limit of divisions is reached, a change may be missed, and a doubt is recorded.
 
+use super::interpolant::{CHECKS, ceases, is_right, worse};
 use crate::Routine;
 use crate::methods::cubic::Cubic;
 use program::{Held, Model, NodeId};
@@ -66,11 +67,6 @@ impl Looks {
     const DEEPEST: usize = 9;
     /// Maximum number of divisions of a step in total.
     const DIVISIONS: usize = 256;
-    /// Fractions of the interval at which the interpolant is checked. Irregular, so that an oscillation in phase with the
-    /// step is noticed.
-    const CHECKS: [f64; 2] = [0.29, 0.62];
-    /// Accepted error of the interpolant, relative to its greatest magnitude.
-    const EXACTNESS: f64 = 1e-3;
     /// Intervals shorter than this multiple of the rounding error of the time are not divided.
     const ROUNDINGS: f64 = 8.0;
     /// Distance from the zero of one value at which the others are evaluated, as a fraction of the interval.
@@ -109,6 +105,32 @@ impl Looks {
     /// Approximate number of floating-point operations so far.
     pub fn work(&self) -> u64 {
         self.evaluations * self.slopes.work()
+    }
+
+    /// Compared values and their rates of change at `time` and `state` (SI), if the last step ended there.
+    pub fn values_at(&self, time: f64, state: &[f64]) -> Option<&[f64]> {
+        let [_, End { point, state: known, .. }] = &self.ends;
+        (point.time == time && known == state).then_some(&point.values)
+    }
+
+    /// Continues after intervals that were searched elsewhere; the last one ended at `time` and `state` with these values.
+    pub fn continue_at(&mut self, time: f64, state: &[f64], values: &[f64]) {
+        let [_, end] = &mut self.ends;
+        end.state.clear();
+        end.state.extend_from_slice(state);
+        end.point.time = time;
+        end.point.values.clear();
+        end.point.values.extend_from_slice(values);
+    }
+
+    /// Counts the evaluations of intervals without divisions that were searched elsewhere.
+    pub fn count(&mut self, intervals: u64) {
+        self.evaluations += 4 * intervals;
+    }
+
+    /// The compared values, and then the same with their rates of change.
+    pub fn routines(&self) -> [&Routine; 2] {
+        [&self.values, &self.slopes]
     }
 
     /// First moment from which on a change may have been missed.
@@ -196,30 +218,18 @@ impl Looks {
             let slopes = [low, high].map(|point| size * point.values[count + number]);
             Cubic::new([low.values[number], high.values[number]], slopes)
         };
-        // If only one of two values is finite, the value becomes undefined between them. A comparison with NaN would hide
-        // that.
-        let ceases = |a: f64, b: f64| a.is_finite() != b.is_finite();
         let mut wrong: Vec<f64> = (low.values.iter().zip(&high.values).take(count))
             .map(|(&low, &high)| if ceases(low, high) { f64::INFINITY } else { 0.0 })
             .collect();
-        for part in Self::CHECKS {
+        for part in CHECKS {
             let time = low.time + part * size;
             self.interpolate(dense, time);
             self.values.evaluate(time, &self.probe, &mut self.found);
             for (number, (wrong, found)) in wrong.iter_mut().zip(&self.found).enumerate() {
-                let expected = cubic(number).at(part);
-                *wrong = if ceases(*found, expected) { f64::INFINITY } else { wrong.max((found - expected).abs()) };
+                *wrong = worse(*wrong, *found, cubic(number).at(part));
             }
         }
-        let is_right = |number: usize, wrong: f64| {
-            let (least, greatest) = cubic(number).range();
-            if !(least.is_finite() && greatest.is_finite()) {
-                // Not finite at either end; right if it is not finite in between either.
-                return wrong.is_finite();
-            }
-            let nearest = if least > 0.0 { least } else { -greatest };
-            wrong <= Self::EXACTNESS * greatest.abs().max(least.abs()) || 4.0 * wrong < nearest
-        };
+        let is_right = |number: usize, wrong: f64| is_right(cubic(number), wrong);
         let nothing_between = size <= Self::ROUNDINGS * f64::EPSILON * high.time.abs();
         let doubtful = wrong.iter().enumerate().position(|(number, &wrong)| !is_right(number, wrong));
         let doubtful = doubtful.filter(|_| !nothing_between);

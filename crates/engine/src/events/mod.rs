@@ -10,7 +10,9 @@
 //! extrapolated linearly to where the condition is true. If the state after the action, extrapolated as far, also fulfils
 //! it, the action has not prevented the crossing, and the event is used up.
 
+pub(crate) mod ahead;
 pub(crate) mod crossing;
+pub(crate) mod interpolant;
 pub(crate) mod jumps;
 pub(crate) mod looks;
 pub(crate) mod press;
@@ -112,6 +114,16 @@ impl Events {
     /// True for each event that can fire: its condition was false at the last evaluation, and its crossing is not used up.
     pub fn armed(&self) -> &[bool] {
         &self.armed
+    }
+
+    /// The conditions.
+    pub fn conditions(&self) -> &Routine {
+        &self.conditions
+    }
+
+    /// Counts evaluations of the conditions that were made elsewhere.
+    pub fn count(&mut self, intervals: u64) {
+        self.looks += intervals;
     }
 
     /// Restores which events are armed.

@@ -66,6 +66,16 @@ impl Switches {
         self.looks * self.truths.as_ref().map_or(0, Routine::work)
     }
 
+    /// True values of the switches.
+    pub fn truths(&self) -> Option<&Routine> {
+        self.truths.as_ref()
+    }
+
+    /// Counts evaluations that were made elsewhere.
+    pub fn count(&mut self, intervals: u64) {
+        self.looks += if self.truths.is_some() { intervals } else { 0 };
+    }
+
     /// Held values, one per switch.
     pub fn held(&self) -> &[f64] {
         &self.held

@@ -53,6 +53,16 @@ impl Timetable {
         self.routine.is_empty()
     }
 
+    /// The switches, if the end of a step alone shows whether one changes.
+    pub fn even(&self) -> Option<&Routine> {
+        (self.moments == 1 && self.shapes.is_empty()).then_some(&self.routine)
+    }
+
+    /// Counts evaluations that were made elsewhere.
+    pub fn count(&mut self, intervals: u64) {
+        self.looks += if self.routine.is_empty() { 0 } else { 2 * intervals };
+    }
+
     /// First moment (SI) from which on a change may have been missed.
     pub fn doubt(&self) -> Option<f64> {
         self.doubt

@@ -1,12 +1,18 @@
 //! Step size control of the methods with an error estimate.
 
+mod ahead;
+
 use super::dormand_prince::{DormandPrince, dense_value};
 use super::equations::Equations;
+use super::last_step::LastStep;
 use super::rosenbrock::Rosenbrock;
 use crate::Setup;
 use crate::events::crossing::Crossing;
 use crate::events::surfaces::Surfaces;
 use program::Model;
+
+pub(crate) use ahead::Place;
+pub use ahead::{dormand_prince_growth, dormand_prince_shrinkage};
 
 /// An embedded pair of methods; the difference of both results estimates the error.
 #[derive(Clone, Debug)]
@@ -38,32 +44,6 @@ pub(crate) struct Adaptive {
     last: LastStep,
     attempt: Vec<f64>,
     error: Vec<f64>,
-}
-
-/// The last accepted step and everything else that determines the next one.
-#[derive(Clone, Debug)]
-pub(crate) struct LastStep {
-    start: f64,
-    size: f64,
-    /// End of the step: `start + size`, or exactly the time of the row to be reached.
-    end: f64,
-    from: Vec<f64>,
-    to: Vec<f64>,
-    /// Coefficients of the continuous solution, see [`dense_value`].
-    dense: [Vec<f64>; 5],
-    /// Size proposed for the next step.
-    proposed: f64,
-    /// Error of the step in units of the allowed error, for the controller.
-    error: f64,
-    /// Greatest magnitude of each state so far.
-    peaks: Vec<f64>,
-}
-
-impl LastStep {
-    /// Memory, in bytes.
-    pub fn bytes(&self) -> usize {
-        size_of::<f64>() * 8 * self.to.len() + size_of::<Self>()
-    }
 }
 
 impl Adaptive {
@@ -129,11 +109,6 @@ impl Adaptive {
         self.forget();
     }
 
-    /// The last step: everything needed to continue with the same bits.
-    pub fn last_step(&self) -> &LastStep {
-        &self.last
-    }
-
     /// Continues after a step that was the last one before.
     pub fn go_on_after(&mut self, step: &LastStep) {
         self.last.clone_from(step);
@@ -172,13 +147,14 @@ impl Adaptive {
     /// The stiff method does not step over `row`: if a stiff component follows a forcing, as in the problem of Prothero and
     /// Robinson, its dense output is less accurate than its steps by orders of magnitude.
     pub fn extend(&mut self, equations: &mut Equations, row: f64) -> Result<(), Stalled> {
+        if self.take_step(equations) {
+            return Ok(());
+        }
         let time = self.last.end;
         let order = match self.pair {
             Pair::DormandPrince(_) => 5.0,
             Pair::Rosenbrock(_) => 4.0,
         };
-        let integral = 0.04;
-        let proportional = 1.0 / order - 0.75 * integral;
         let wanted = self.last.proposed.min(self.longest);
         let lands = matches!(self.pair, Pair::Rosenbrock(_)) && time + 1.001 * wanted >= row;
         let mut size = if lands { row - time } else { wanted };
@@ -188,8 +164,7 @@ impl Adaptive {
             step(&mut self.pair, equations, time, size, &self.last.to, &mut self.attempt, &mut self.error);
             let error = self.error_norm();
             if error <= 1.0 {
-                let growth = 0.9 * libm::pow(self.last.error, integral) / libm::pow(error.max(1e-10), proportional);
-                let growth = growth.clamp(0.2, if rejected { 1.0 } else { 10.0 });
+                let growth = growth(order, self.last.error, error).clamp(0.2, if rejected { 1.0 } else { 10.0 });
                 self.last.error = error.max(1e-4);
                 let on_row = lands && !rejected;
                 self.accept(equations, time, size, if on_row { row } else { time + size });
@@ -201,7 +176,7 @@ impl Adaptive {
                 let finite = self.attempt.iter().all(|value| value.is_finite());
                 return Err(if finite { Stalled::TooSmall } else { Stalled::NotFinite });
             }
-            let shrinkage = 0.9 / libm::pow(error, proportional);
+            let shrinkage = shrinkage(order, error);
             // The comparison also covers NaN.
             size *= if shrinkage > 0.2 { shrinkage } else { 0.2 };
             size = size.max(smallest);
@@ -276,7 +251,7 @@ impl Adaptive {
         last.end = end;
         match &mut self.pair {
             Pair::DormandPrince(pair) => {
-                if !equations.dense_compiled(&mut last.dense) {
+                if !equations.dense_compiled(&last.from, &mut last.dense) {
                     pair.dense(size, &last.from, &last.to, &mut last.dense);
                 }
                 pair.accept();
@@ -309,6 +284,20 @@ impl Adaptive {
         }
         (sum / self.error.len().max(1) as f64).sqrt()
     }
+}
+
+/// Exponent of the error before in the controller.
+const INTEGRAL: f64 = 0.04;
+
+/// Factor by which the step grows after an error that is allowed, before it is bounded. `before`: error of the step before;
+/// both in units of the allowed error.
+fn growth(order: f64, before: f64, error: f64) -> f64 {
+    0.9 * libm::pow(before, INTEGRAL) / libm::pow(error.max(1e-10), 1.0 / order - 0.75 * INTEGRAL)
+}
+
+/// Factor by which the step shrinks after an error that is not allowed, before it is bounded.
+fn shrinkage(order: f64, error: f64) -> f64 {
+    0.9 / libm::pow(error, 1.0 / order - 0.75 * INTEGRAL)
 }
 
 fn step(

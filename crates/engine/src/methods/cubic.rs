@@ -71,6 +71,13 @@ impl Cubic {
         }
     }
 
+    /// Number of changes of sign; zero counts as positive.
+    pub fn sign_changes(&self) -> usize {
+        let (knots, count) = self.knots();
+        let negative = |knot: f64| self.at(knot) < 0.0;
+        knots[..count].windows(2).filter(|pair| negative(pair[0]) != negative(pair[1])).count()
+    }
+
     /// Number of bisections: accuracy 1e-9 of the interval.
     const HALVINGS: usize = 30;
 }

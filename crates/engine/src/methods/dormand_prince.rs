@@ -24,6 +24,27 @@ impl DormandPrince {
         self.first_known = false;
     }
 
+    /// Evaluates the rates at the start of the next step, `time` and `state` (SI), if they are not known, without counting.
+    /// True if they were not known.
+    pub fn find_first(&mut self, equations: &mut Equations, time: f64, state: &[f64]) -> bool {
+        if !self.first_known {
+            equations.rates(time, state, &mut self.rates[0]);
+            equations.evaluations -= 1;
+        }
+        !self.first_known
+    }
+
+    /// Rates at the start of the next step.
+    pub fn first(&self) -> &[f64] {
+        &self.rates[0]
+    }
+
+    /// Sets the rates at the start of the next step.
+    pub fn set_first(&mut self, rates: &[f64]) {
+        self.rates[0].copy_from_slice(rates);
+        self.first_known = true;
+    }
+
     /// Makes one step of `size` from `from` at `time`; `to` becomes the result, `error` its estimated error. One value per
     /// state, SI units.
     pub fn step(

@@ -6,6 +6,8 @@ use crate::compiled::Compiled;
 use crate::compiled::block::Block;
 use crate::compiled::layout::Layout;
 use crate::compiled::listing::{Interpreted, Listing};
+use crate::compiled::window::{Taken, Window};
+use crate::compiled::window_layout::WindowLayout;
 use crate::{Method, Routine};
 use program::{Model, NodeId};
 use std::rc::Rc;
@@ -22,8 +24,12 @@ pub(crate) struct Equations {
     order: Option<Order>,
     /// Parameters, then the held values of the switches.
     inputs: Vec<f64>,
-    /// Steps in compiled form, if there are any.
+    /// Steps of a fixed-step method in compiled form, if there are any.
     compiled: Option<Block>,
+    /// Steps of the Dormand-Prince method in compiled form, if there are any.
+    pub window: Option<Window>,
+    /// The rate of each state if that is the constant 0 or -0.
+    still: Vec<Option<f64>>,
     /// Number of evaluations of f.
     pub evaluations: u64,
     /// Number of evaluations of the derivatives of f.
@@ -35,6 +41,7 @@ impl Equations {
     pub fn new(model: &Model) -> Self {
         let nodes = rate_nodes(model);
         let order = Order::of(model);
+        let still = nodes.iter().map(|&node| model.graph.as_constant(node).filter(|rate| *rate == 0.0)).collect();
         let rates = match &order {
             Some(Order { states, .. }) => {
                 let nodes: Vec<NodeId> = states.iter().map(|&state| nodes[state as usize]).collect();
@@ -49,6 +56,8 @@ impl Equations {
             pattern: Vec::new(),
             inputs: Vec::new(),
             compiled: None,
+            window: None,
+            still,
             evaluations: 0,
             jacobians: 0,
         }
@@ -72,6 +81,9 @@ impl Equations {
         self.rates.prepare(&self.inputs, initial);
         if let Some(block) = &mut self.compiled {
             block.load(self.rates.registers());
+        }
+        if let Some(window) = &mut self.window {
+            window.load(self.rates.registers());
         }
         if let Some(slopes) = &mut self.slopes {
             slopes.prepare(&self.inputs, initial);
@@ -120,21 +132,43 @@ impl Equations {
             None => rates.extend(self.rates.roots()),
         }
         let interpolations = self.rates.interpolations().to_vec();
-        let layout = self.layout(method);
-        Ok(Listing { method, lines, states, rates, pairs, interpolations, layout })
+        let (layout, still) = (self.layout(), self.still.clone());
+        Ok(Listing { method, lines, states, rates, pairs, interpolations, still, layout, window: None })
     }
 
-    fn layout(&self, method: Method) -> Layout {
-        let most = if method == Method::DormandPrince { 1 } else { MOST_ROWS };
-        let rows = (WORK_AHEAD / self.rates.work().max(1)).clamp(1, most) as usize;
+    fn layout(&self) -> Layout {
+        let rows = (WORK_AHEAD / self.rates.work().max(1)).clamp(1, MOST_ROWS) as usize;
         Layout { registers: self.rates.registers().len(), states: self.rates.len(), rows }
     }
 
-    /// Makes steps with code compiled from the listing for `method` from now on.
-    pub fn use_compiled(&mut self, code: Rc<dyn Compiled>, method: Method) {
-        let mut block = Block::new(code, self.layout(method));
+    /// Makes steps of a fixed-step method with code compiled from its listing from now on.
+    pub fn use_compiled(&mut self, code: Rc<dyn Compiled>) {
+        let mut block = Block::new(code, self.layout());
         block.load(self.rates.registers());
         self.compiled = Some(block);
+    }
+
+    /// Makes steps of the Dormand-Prince method with code compiled from its listing from now on. `layout` is that of the
+    /// listing; `checks` is true if its formulas are those of all that could happen.
+    pub fn use_window(&mut self, code: Rc<dyn Compiled>, layout: WindowLayout, checks: bool) {
+        let mut window = Window::new(code, layout, checks, &self.still);
+        window.load(self.rates.registers());
+        self.window = Some(window);
+    }
+
+    /// Number of states and of registers of the right-hand side.
+    pub fn size(&self) -> (usize, usize) {
+        (self.rates.len(), self.rates.registers().len())
+    }
+
+    /// Counts the evaluations of steps that were computed in advance.
+    pub fn count(&mut self, taken: Taken) {
+        self.evaluations += taken.stages();
+    }
+
+    /// Approximate number of floating-point operations of these evaluations.
+    pub fn work_of(&self, taken: Taken) -> u64 {
+        taken.stages() * self.rates.work()
     }
 
     /// Makes one step of a fixed-step method with `stages` evaluations of f in compiled form. False if there is none.
@@ -146,14 +180,29 @@ impl Equations {
         true
     }
 
-    /// Moves the state from grid point `index` to the next one in compiled form, see [`Block::step_on_grid`]. False if there
-    /// is none, or if the state would not be finite.
+    /// Moves the state from grid point `index` to the next one by a step of a fixed-step method with `stages` evaluations of f
+    /// that compiled code has made in advance. False if there is none.
     #[inline]
-    pub fn step_on_grid_compiled(&mut self, stages: u64, index: u64, step: f64, state: &mut [f64]) -> bool {
+    pub fn take_row(&mut self, stages: u64, index: u64, state: &mut [f64]) -> bool {
         let Some(block) = &mut self.compiled else { return false };
-        let made = block.step_on_grid(index, step, state);
-        self.evaluations += if made { stages } else { 0 };
-        made
+        let taken = block.take_row(index, state);
+        self.evaluations += if taken { stages } else { 0 };
+        taken
+    }
+
+    /// Makes steps of a fixed-step method from grid point `index` on in advance, if they are in compiled form. They end before
+    /// a state that is not finite.
+    pub fn begin_rows(&mut self, index: u64, step: f64, state: &[f64]) {
+        if let Some(block) = &mut self.compiled {
+            block.begin(index, step, state);
+        }
+    }
+
+    /// Discards steps of a fixed-step method that were made in advance.
+    pub fn forget_rows(&mut self) {
+        if let Some(block) = &mut self.compiled {
+            block.forget();
+        }
     }
 
     /// Makes an attempt of a step of the Dormand-Prince method in compiled form. `rates`: those of the first stage,
@@ -168,18 +217,18 @@ impl Equations {
         error: &mut [f64],
         rates: [&mut [f64]; 2],
     ) -> bool {
-        let Some(block) = &mut self.compiled else { return false };
+        let Some(window) = &mut self.window else { return false };
         self.evaluations += STAGES as u64 - 1;
-        block.attempt(time, size, from, to, error, rates);
+        window.attempt([time, size], from, to, error, rates);
         true
     }
 
-    /// Coefficients of the continuous solution over the step of the last attempt in compiled form. False if there is no
-    /// compiled form.
+    /// Coefficients of the continuous solution over the step of the last attempt, from the state `from`, in compiled form.
+    /// False if there is no compiled form.
     #[inline]
-    pub fn dense_compiled(&self, coefficients: &mut [Vec<f64>; 5]) -> bool {
-        let Some(block) = &self.compiled else { return false };
-        block.dense(coefficients);
+    pub fn dense_compiled(&self, from: &[f64], coefficients: &mut [Vec<f64>; 5]) -> bool {
+        let Some(window) = &self.window else { return false };
+        window.dense(from, coefficients);
         true
     }
 
@@ -211,7 +260,7 @@ impl Equations {
 }
 
 /// Maximum number of steps that compiled code computes in advance.
-const MOST_ROWS: u64 = 64;
+const MOST_ROWS: u64 = 256;
 /// Maximum number of floating-point operations of the right-hand side in these steps, counted once per step: a change of a
 /// parameter discards them.
 const WORK_AHEAD: u64 = 20_000;

@@ -47,13 +47,6 @@ impl Fixed {
         self.ends = [start, end];
     }
 
-    /// Moves the state from grid point `index` to the next one if steps are in compiled form; several are made at once.
-    /// False if they are not, or if the state would not be finite; it is then unchanged.
-    #[inline]
-    pub fn step_on_grid(&self, equations: &mut Equations, index: u64, step: f64, state: &mut [f64]) -> bool {
-        equations.step_on_grid_compiled(self.stages(), index, step, state)
-    }
-
     /// Indices of each position and its velocity, for velocity Verlet; `order` as in [`Equations::order`].
     pub fn pairs(&self, order: Option<&[u32]>) -> Vec<(usize, usize)> {
         let state = |place: usize| order.map_or(place, |order| order[place] as usize);
@@ -61,7 +54,7 @@ impl Fixed {
     }
 
     /// Number of evaluations of the equations per step.
-    fn stages(&self) -> u64 {
+    pub fn stages(&self) -> u64 {
         match self.method {
             Method::Euler => 1,
             Method::EulerRichardson | Method::VelocityVerlet => 2,

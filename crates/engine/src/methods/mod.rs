@@ -7,6 +7,7 @@ pub(crate) mod dormand_prince;
 pub(crate) mod equations;
 pub(crate) mod fixed;
 pub(crate) mod jacobian;
+pub(crate) mod last_step;
 pub(crate) mod linear;
 #[cfg(test)]
 pub(crate) mod order_conditions;

@@ -1,6 +1,7 @@
 //! Integration of a model along the grid, without recorded history.
 
 mod advance;
+mod ahead;
 mod compiled;
 mod count;
 mod finish;
@@ -198,6 +199,7 @@ impl Stepper {
 
     /// Changes the parameters from here on (one value per parameter, SI units); the state is kept.
     pub fn set_parameters(&mut self, parameters: Vec<f64>) {
+        self.catch_up();
         self.parameters = parameters;
         self.stopped = None;
         self.row = RowWork::default();
@@ -209,6 +211,8 @@ impl Stepper {
     /// of its current one. An oscillation then takes a third of the steps and is as accurate where it matters for fits:
     /// measured values do not become more accurate near zero either.
     pub fn allow_of_peak(&mut self, tolerance: f64) {
+        self.catch_up();
+        self.forget_steps();
         if let Solver::Adaptive(adaptive) = &mut self.solver {
             adaptive.allow_of_peak(tolerance.max(Setup::LEAST_TOLERANCE));
         }
@@ -224,6 +228,7 @@ impl Stepper {
     fn prepare_equations(&mut self) {
         self.equations.prepare(&self.parameters, self.surfaces.switches.held(), &self.initial);
         self.surfaces.prepare_looks(&self.parameters, &self.initial);
+        self.load_checks();
     }
 
     /// Holds the switches of the equations at their current values. Returns the first that changes and makes the rates
@@ -238,6 +243,7 @@ impl Stepper {
     }
 
     fn restart(&mut self) {
+        self.forget_steps();
         if let Solver::Adaptive(adaptive) = &mut self.solver {
             adaptive.restart(self.time, &self.state);
         }

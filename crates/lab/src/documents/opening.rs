@@ -8,6 +8,7 @@ use crate::{documents::saved, documents::visited, fit, library, write};
 use desk::{Desk, Writing};
 use document::page::Source;
 use document::{Document, Opened, Opening};
+use std::rc::Rc;
 use view::page::opening::Handed;
 use view::{browser, page::messages};
 use web_sys::Event;
@@ -86,10 +87,16 @@ impl Made {
     fn of(app: App, opened: Opened) -> Self {
         let mut desk = opened.document.map(Desk::open);
         if let Some(desk) = &mut desk {
+            compile_steps(desk);
             desk.set_language(app.language.get_untracked().tag());
         }
         Self { desk, findings: opened.diagnostics }
     }
+}
+
+/// Makes the steps of the run, and of later ones, in WebAssembly that is emitted for them.
+fn compile_steps(desk: &mut Desk) {
+    desk.play_mut().change_run(|line, _| line.use_compiler(Rc::<host::Compiler>::default()));
 }
 
 fn place_made(app: App, visited: Visited, made: Made, state: &str) {
@@ -177,6 +184,7 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
         }
         lab.findings = lab.faulty.findings().to_vec();
         let mut desk = Desk::open(document?);
+        compile_steps(&mut desk);
         desk.set_writing(std::mem::take(&mut lab.faulty));
         desk.set_language(language.tag());
         lab.sources_before.clear();

@@ -97,7 +97,7 @@ impl Plots {
             let Some(swept) = plot.swept_mut() else { continue };
             swept.follow(run.course());
             let before = swept.progress();
-            swept.proceed(run.basis.model(), &mut left);
+            swept.proceed(run.line.motion(run.basis), &mut left);
             worked |= swept.progress() != before;
         }
         let remains = self.states.iter().any(|plot| plot.shown && plot.swept().is_some_and(Swept::is_unfinished));

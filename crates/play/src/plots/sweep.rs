@@ -1,6 +1,7 @@
 //! Curves and points over the values of a parameter. Definitions are evaluated at once; values taken from runs are
 //! computed in time slices.
 
+use crate::motion::Motion;
 use crate::time::course::Course;
 use engine::{Advance, Folds, Readings, Run, RunError, Setup};
 use figure::Interval;
@@ -145,9 +146,9 @@ impl Swept {
     }
 
     /// Continues the runs. `left` is the remaining work in floating-point operations and is reduced by the work done.
-    pub fn proceed(&mut self, model: &Model, left: &mut u64) {
+    pub fn proceed(&mut self, motion: Motion, left: &mut u64) {
         while *left > 0 && self.is_unfinished() {
-            let Some(going) = self.run.take().or_else(|| self.begin(model)) else {
+            let Some(going) = self.run.take().or_else(|| self.begin(motion)) else {
                 // A run that cannot start leaves a gap.
                 self.done += 1;
                 *left = left.saturating_sub(1_000);
@@ -158,10 +159,10 @@ impl Swept {
     }
 
     /// Starts the next run; `None` if it cannot start.
-    fn begin(&mut self, model: &Model) -> Option<Going> {
+    fn begin(&mut self, motion: Motion) -> Option<Going> {
         let mut setup = self.setup.clone()?;
         *setup.parameters.get_mut(self.sweep.parameter)? = self.sweep.values().nth(self.done)?;
-        let run = Run::start(model, setup).ok()?;
+        let run = motion.start(setup).ok()?;
         let mut going = Going { run, folds: Folds::new(&self.sweep.aggregates), before: None, points: 0 };
         self.take(&mut going, 0);
         Some(going)

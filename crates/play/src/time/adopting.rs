@@ -55,6 +55,7 @@ impl TimeLine {
         names: &Names,
     ) -> (Vec<String>, Changes) {
         self.speed = before.speed;
+        self.compiler.clone_from(&before.compiler);
         let present = before.course.recipe();
         let time_shown = former.time_words(&before.course, present.time);
         let (recipe, mut lost) = basis.translated(&present, former, &time_shown, names);
@@ -95,7 +96,7 @@ impl TimeLine {
 
     /// Takes over the run of another program unchanged; `with_columns` if its columns have the same values.
     fn adopt_run(&mut self, basis: &Basis, before: &mut Self, with_columns: bool) -> Changes {
-        let nothing = Course::start(basis.model(), basis.defaults().clone(), 0);
+        let nothing = Course::start(self.motion(basis), basis.defaults().clone(), 0);
         self.course = std::mem::replace(&mut before.course, nothing);
         self.course.set_overhead(self.columns.bytes_per_row());
         self.full = before.full;

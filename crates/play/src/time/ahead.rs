@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use crate::Basis;
+use crate::motion::Motion;
 use crate::plots::traces::{Columns, Traces};
 use figure::Interval;
 
@@ -10,8 +11,8 @@ const WORK: u64 = 125_000;
 
 /// Range of each column in the first part of a run with the settings of this one, in the units of the columns; `None` for a
 /// column without finite values.
-pub(super) fn ranges(basis: &Basis, course: &Course, columns: &mut Columns) -> Vec<Option<Interval>> {
-    let mut ahead = Course::start(basis.model(), course.begun().clone(), 0);
+pub(super) fn ranges(basis: &Basis, motion: Motion, course: &Course, columns: &mut Columns) -> Vec<Option<Interval>> {
+    let mut ahead = Course::start(motion, course.begun().clone(), 0);
     let mut left = WORK;
     ahead.proceed(basis.first_part(&ahead), &mut left);
     let (mut present, mut traces) = (Vec::new(), Traces::default());

@@ -3,8 +3,8 @@
 //! The run is computed slightly ahead: the time shown lies inside the last step or at its end. The *front* is the
 //! greatest time reached. Moments up to the front can be shown again; rows beyond it are not shown yet.
 
-use engine::{Advance, CAPACITY, History, Notice, ROUNDING, Run, RunError, Setup};
-use program::Model;
+use crate::motion::Motion;
+use engine::{Advance, CAPACITY, Compiler, History, Notice, ROUNDING, Run, RunError, Setup};
 
 /// Result of [`Course::proceed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,15 +39,22 @@ impl Course {
     }
 
     /// Starts a run; a failure is available as [`Course::error`].
-    pub fn start(model: &Model, setup: Setup, overhead: usize) -> Self {
-        let (run, error) = match Run::start(model, setup.clone()) {
+    pub fn start(motion: Motion, setup: Setup, overhead: usize) -> Self {
+        let (run, error) = match motion.start(setup.clone()) {
             Ok(run) => (Ok(run), None),
             Err(error) => (Err(setup), Some(error)),
         };
-        let state = vec![f64::NAN; model.states.len()];
+        let state = vec![f64::NAN; motion.states()];
         let mut course = Self { run, error, time: 0.0, front: 0.0, state, overhead };
         course.show(0.0);
         course
+    }
+
+    /// Makes the later steps of the run with compiled code. Its bits stay the same.
+    pub fn compile(&mut self, compiler: &dyn Compiler) {
+        if let Ok(run) = &mut self.run {
+            run.compile(compiler);
+        }
     }
 
     /// Settings with which the run was started.
@@ -235,12 +242,12 @@ impl Course {
 
     /// Changes the parameters (SI) from the next step on, or from the start if there is only one row. None of them may
     /// determine an initial value.
-    pub fn set_parameters(&mut self, model: &Model, parameters: Vec<f64>) {
+    pub fn set_parameters(&mut self, motion: Motion, parameters: Vec<f64>) {
         self.error = None;
         match &mut self.run {
             // Discards an incomplete step with the rows in it.
             Ok(run) if run.history().len() > 1 => run.set_parameters(parameters),
-            _ => *self = Self::start(model, Setup { parameters, ..self.begun().clone() }, self.overhead),
+            _ => *self = Self::start(motion, Setup { parameters, ..self.begun().clone() }, self.overhead),
         }
     }
 

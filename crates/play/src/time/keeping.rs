@@ -69,7 +69,7 @@ impl TimeLine {
 
     /// Recomputes a run; see [`Course::replay`].
     pub(crate) fn replay(&self, basis: &Basis, recipe: &Recipe, moments: Moments, work: &mut u64) -> (Course, bool) {
-        Course::replay(basis.model(), recipe, moments, self.columns.bytes_per_row(), work)
+        Course::replay(self.motion(basis), recipe, moments, self.columns.bytes_per_row(), work)
     }
 
     fn keep_traces(&mut self, recipe: Recipe, traces: Traces, state: Vec<f64>) -> Result<Changes, Refusal> {

@@ -16,13 +16,15 @@ pub use kept::{KeptValues, KeptView, MOST_KEPT};
 pub use problem::Problem;
 pub use transport::{LONGEST_GAP, SPEEDS, Status, WORK_PER_TICK};
 
+use crate::motion::Motion;
 use crate::plots::traces::{Columns, Traces};
 use crate::removed::Removed;
 use crate::{Announcement, Basis, Changes};
-use engine::Setup;
+use engine::{Compiler, Setup};
 use figure::Interval;
 use kept::{Ghost, Kept};
 use program::{Parameter, Speed};
+use std::rc::Rc;
 
 /// The run, its clock, and the runs drawn behind it.
 #[derive(Debug)]
@@ -53,13 +55,15 @@ pub struct TimeLine {
     kept_issued: u32,
     /// Greatest magnitude of each state in this run, SI.
     scales: Vec<f64>,
+    /// Compiles the steps of runs; `None`: they are interpreted.
+    compiler: Option<Rc<dyn Compiler>>,
 }
 
 impl TimeLine {
     /// The run of the document, paused at time 0.
     pub(crate) fn new(basis: &Basis) -> Self {
         let columns = Columns::new(basis.model(), &basis.program().plots);
-        let course = Course::start(basis.model(), basis.defaults().clone(), columns.bytes_per_row());
+        let course = Course::start(Motion::new(basis.model(), None), basis.defaults().clone(), columns.bytes_per_row());
         Self {
             course,
             rows_seen: 0,
@@ -78,6 +82,7 @@ impl TimeLine {
             kept: Vec::new(),
             kept_issued: 0,
             scales: vec![0.0; basis.model().states.len()],
+            compiler: None,
         }
     }
 
@@ -89,6 +94,18 @@ impl TimeLine {
     /// The run, for reading between its rows.
     pub(crate) fn course_between_rows(&mut self) -> &mut Course {
         &mut self.course
+    }
+
+    /// Makes the steps of the run and of later ones with compiled code from now on. All bits stay the same.
+    pub fn use_compiler(&mut self, compiler: Rc<dyn Compiler>) -> Changes {
+        self.course.compile(compiler.as_ref());
+        self.compiler = Some(compiler);
+        Changes::NONE
+    }
+
+    /// The equations of motion, from which runs are started.
+    pub(crate) fn motion<'a>(&'a self, basis: &'a Basis) -> Motion<'a> {
+        Motion::new(basis.model(), self.compiler.as_ref())
     }
 
     /// Layout of the columns of the plots.
@@ -154,7 +171,10 @@ impl TimeLine {
     pub(crate) fn follow(&mut self, basis: &Basis) {
         self.follow_rows();
         if self.ahead.is_none() {
-            self.ahead = Some(ahead::ranges(basis, &self.course, &mut self.columns));
+            self.ahead = {
+                let motion = Motion::new(basis.model(), self.compiler.as_ref());
+                Some(ahead::ranges(basis, motion, &self.course, &mut self.columns))
+            };
         }
     }
 
@@ -194,7 +214,7 @@ impl TimeLine {
         // Presses belong to the former run.
         setup.presses.clear();
         let changes = self.keep_ghost(0);
-        let course = Course::start(basis.model(), setup, self.columns.bytes_per_row());
+        let course = Course::start(self.motion(basis), setup, self.columns.bytes_per_row());
         changes | self.replace(course)
     }
 
@@ -252,7 +272,7 @@ impl TimeLine {
         }
         let changes = self.branch();
         self.course.give_up_presses();
-        self.course.set_parameters(basis.model(), parameters);
+        self.course.set_parameters(Motion::new(basis.model(), self.compiler.as_ref()), parameters);
         self.traces.truncate(self.course.rows().saturating_sub(1));
         changes | Changes::PARAMETERS | Changes::TRANSPORT | self.moved()
     }

@@ -1,8 +1,8 @@
 //! Data from which a run can be recomputed: its settings and the changes during the run.
 
+use crate::motion::Motion;
 use crate::time::course::{Course, Outcome};
 use engine::{Advance, Setup};
-use program::Model;
 
 /// Maximum work for all recomputed runs together, in floating-point operations. A link may come from a stranger, and
 /// the page is blocked meanwhile: about a second on a slow phone.
@@ -70,8 +70,8 @@ impl Course {
 
     /// Recomputes a recipe. `left` is the remaining work in floating-point operations ([`engine::Run::work`]) and is
     /// reduced by the work done. Returns true if the recipe could be followed to its end.
-    pub fn replay(model: &Model, recipe: &Recipe, moments: Moments, overhead: usize, left: &mut u64) -> (Self, bool) {
-        let mut course = Self::start(model, recipe.setup.clone(), overhead);
+    pub fn replay(motion: Motion, recipe: &Recipe, moments: Moments, overhead: usize, left: &mut u64) -> (Self, bool) {
+        let mut course = Self::start(motion, recipe.setup.clone(), overhead);
         for change in &recipe.changes {
             let is_due = |course: &Self| match moments {
                 Moments::Rows => course.rows_computed() >= change.row,
@@ -88,7 +88,7 @@ impl Course {
                 course.proceed(course.last_time(), &mut 0);
                 return (course, false);
             }
-            course.set_parameters(model, change.parameters.clone());
+            course.set_parameters(motion, change.parameters.clone());
         }
         let mut outcome = course.proceed(recipe.front, left);
         while outcome == Outcome::Failed && course.is_behind(recipe.front) && course.has_ended() {

@@ -1,7 +1,10 @@
 //! Expressions of what is taken of runs, over the values of a parameter: their values, units and what stands behind them.
 
-use crate::support::open;
+use crate::support::{open, set};
+use play::engine::{Compiled, Compiler, Listing};
 use play::{Play, PlotId};
+use std::cell::Cell;
+use std::rc::Rc;
 
 /// Where the runs end, s.
 const UNTIL: f64 = 3.0;
@@ -166,4 +169,32 @@ fn a_bundle_keeps_expressions_of_runs() {
             play.plots_to_front().csv(PlotId::at(0));
         }
     }
+}
+
+/// Counts the runs whose steps it is asked for, and leaves them interpreted.
+#[derive(Debug, Default)]
+struct Counting(Cell<usize>);
+
+impl Compiler for Counting {
+    fn compile(&self, _: Listing) -> Option<Rc<dyn Compiled>> {
+        self.0.set(self.0.get() + 1);
+        None
+    }
+}
+
+#[test]
+fn all_runs_are_offered_to_the_compiler() {
+    let mut play = decay("maximum(x)");
+    let compiler = Rc::new(Counting::default());
+    let compiled = |before: usize| compiler.0.get() - before;
+    play.change_run(|line, _| line.use_compiler(compiler.clone()));
+    assert_eq!(compiled(0), 1, "the present run");
+    set(&mut play, "a", 40.0);
+    assert_eq!(compiled(1), 1, "a run with another start");
+    rows(&mut play);
+    assert!(compiled(2) >= 5, "a run for each value of the parameter");
+    let before = compiled(0);
+    play.replace_program(play.program().clone());
+    set(&mut play, "a", 50.0);
+    assert!(compiled(before) > 0, "runs of the program that replaces this one");
 }

@@ -104,6 +104,17 @@ impl Interpolation {
         finite && increase && !self.knots.is_empty() && self.pieces.len() == self.knots.len() + 1
     }
 
+    /// Ends of the pieces, strictly ascending.
+    pub fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
+    /// Coefficients of the pieces, one more than knots: from power 0 to power 3 of the distance from the knot at which the
+    /// piece begins, and from the first knot for the first piece.
+    pub fn pieces(&self) -> &[[f64; 4]] {
+        &self.pieces
+    }
+
     /// Index of the piece in which `x` lies: 0 before the first knot, one more from each knot on. NaN for NaN.
     #[inline]
     pub fn piece(&self, x: f64) -> f64 {

@@ -69,7 +69,7 @@ impl Stepper {
     /// As [`Stepper::advance`].
     pub fn advance_within(&mut self, work: u64, record: &mut impl Record) -> Result<Progress, RunError> {
         let target = (self.index + 1) as f64 * self.step;
-        if self.takes_row(target) {
+        if self.takes_row(target, work) {
             record.row(target, &self.state, false);
             self.index += 1;
             return Ok(Progress::Row { events: std::mem::take(&mut self.row).events });
@@ -113,6 +113,7 @@ impl Stepper {
         if let Some(error) = &self.stopped {
             return Err(error.clone());
         }
+        self.catch_up();
         let result = self.advance_until(target, work, record);
         if let Err(error) = &result {
             self.stopped = Some(error.clone());
@@ -194,6 +195,7 @@ impl Stepper {
 
     /// Advances to `target` or to the end of the step of the method, whichever is first, or to an earlier event or switch.
     fn adaptive(&mut self, target: f64) -> Result<Option<Early>, RunError> {
+        self.begin_steps();
         let Solver::Adaptive(method) = &mut self.solver else {
             return Ok(None);
         };

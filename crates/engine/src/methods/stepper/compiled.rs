@@ -8,17 +8,30 @@ use std::rc::Rc;
 
 impl Stepper {
     /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or in advance and nothing can happen on
-    /// the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, or
-    /// if the state is not finite there.
+    /// the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, if
+    /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.
     #[inline]
-    pub(super) fn takes_row(&mut self, target: f64) -> bool {
-        let free = self.on_grid && self.stopped.is_none() && !self.counts && self.presses.next().is_none();
-        if !free || !self.surfaces.is_smooth() {
+    pub(super) fn takes_row(&mut self, target: f64, work: u64) -> bool {
+        // Rows are discarded where something could happen before them.
+        if let Solver::Fixed(method) = &self.solver
+            && self.equations.take_row(method.stages(), self.index, &mut self.state)
+        {
+            self.time = target;
+            return true;
+        }
+        if !self.on_grid || self.stopped.is_some() || self.counts || self.presses.next().is_some() {
             return false;
         }
         match &self.solver {
+            Solver::Adaptive(_) if self.equations.window.is_some() => {
+                if !self.takes_row_ahead(work) {
+                    return false;
+                }
+            }
+            _ if !self.surfaces.is_smooth() => return false,
             Solver::Fixed(method) => {
-                if !method.step_on_grid(&mut self.equations, self.index, self.step, &mut self.state) {
+                self.equations.begin_rows(self.index, self.step, &self.state);
+                if !self.equations.take_row(method.stages(), self.index, &mut self.state) {
                     return false;
                 }
             }
@@ -44,12 +57,23 @@ impl Stepper {
             Solver::Adaptive(_) if self.method == Method::Rosenbrock => return Err(Interpreted::Method(self.method)),
             Solver::Adaptive(_) => Vec::new(),
         };
-        self.equations.listing(self.method, pairs)
+        let mut listing = self.equations.listing(self.method, pairs)?;
+        if self.method == Method::DormandPrince {
+            listing.window = Some(self.surfaces.window(self.equations.size(), &mut listing.interpolations).0);
+        }
+        Ok(listing)
     }
 
     /// Makes all later steps with `code`, which was compiled from the [`Stepper::listing`] of this stepper or of one with
     /// the same model and method. Bits and work stay the same.
     pub fn use_compiled(&mut self, code: Rc<dyn Compiled>) {
-        self.equations.use_compiled(code, self.method);
+        if self.method == Method::DormandPrince {
+            let (listing, checks) = self.surfaces.window(self.equations.size(), &mut Vec::new());
+            self.catch_up();
+            self.equations.use_window(code, listing.layout, checks);
+            self.load_checks();
+        } else {
+            self.equations.use_compiled(code);
+        }
     }
 }

@@ -37,6 +37,7 @@ impl Stepper {
         let target = (self.index + 1) as f64 * self.step;
         while self.time <= limit && target > limit {
             let mut ahead = self.clone();
+            ahead.catch_up();
             let mut rows = Rows::default();
             let outcome = match self.counts {
                 true => ahead.press(&mut rows).map(drop),

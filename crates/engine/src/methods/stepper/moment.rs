@@ -1,7 +1,7 @@
 //! Moments of a stepper: saving and restoring its state.
 
 use super::{RowWork, Solver, Stepper};
-use crate::methods::adaptive::LastStep;
+use crate::methods::last_step::LastStep;
 use crate::{AfterJump, Press};
 
 /// Everything that determines how a stepper continues, besides its model and setup.
@@ -27,6 +27,7 @@ impl Stepper {
     /// Begins a new run at 0 with other parameters and another initial state (SI units), as a new stepper would.
     pub fn begin(&mut self, parameters: Vec<f64>, initial: &[f64]) {
         self.initial.copy_from_slice(initial);
+        self.catch_up();
         if let Solver::Adaptive(adaptive) = &mut self.solver {
             adaptive.renew(self.step);
         }
@@ -48,6 +49,7 @@ impl Stepper {
 
     /// Replaces the presses; those that have acted must be the first ones of the list.
     pub(crate) fn set_presses(&mut self, presses: &[Press]) {
+        self.catch_up();
         self.presses.replace(presses);
     }
 
@@ -65,7 +67,7 @@ impl Stepper {
             armed: self.surfaces.events.armed().to_vec(),
             presses: self.presses.acted(),
             last_step: match &self.solver {
-                Solver::Adaptive(adaptive) => Some(adaptive.last_step().clone()),
+                Solver::Adaptive(adaptive) => Some(adaptive.step_reached(&self.equations)),
                 Solver::Fixed(_) => None,
             },
         }
@@ -81,6 +83,7 @@ impl Stepper {
     }
 
     fn stand_at(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, presses: Option<usize>) {
+        self.catch_up();
         self.time = time;
         self.presses.stand_at(time, presses);
         self.state.copy_from_slice(state);

@@ -1,0 +1,41 @@
+//! Interpolants of compared values, and their check against the continuous solution at two interior points.
+
+use crate::methods::cubic::Cubic;
+
+/// Fractions of the interval at which an interpolant is checked. Irregular, so that an oscillation in phase with the step is
+/// noticed.
+pub const CHECKS: [f64; 2] = [0.29, 0.62];
+/// Accepted error of an interpolant, relative to its greatest magnitude.
+const EXACTNESS: f64 = 1e-3;
+
+/// True if only one of two values is finite: the value becomes undefined between them. A comparison with NaN would hide that.
+pub(crate) fn ceases(a: f64, b: f64) -> bool {
+    a.is_finite() != b.is_finite()
+}
+
+/// Error of an interpolant so far, from its error before, the value found and the value expected.
+pub(crate) fn worse(wrong: f64, found: f64, expected: f64) -> f64 {
+    if ceases(found, expected) { f64::INFINITY } else { wrong.max((found - expected).abs()) }
+}
+
+/// True if an interpolant with this error is accepted.
+pub(crate) fn is_right(cubic: Cubic, wrong: f64) -> bool {
+    let (least, greatest) = cubic.range();
+    if !(least.is_finite() && greatest.is_finite()) {
+        // Not finite at either end; right if it is not finite in between either.
+        return wrong.is_finite();
+    }
+    let nearest = if least > 0.0 { least } else { -greatest };
+    wrong <= EXACTNESS * greatest.abs().max(least.abs()) || 4.0 * wrong < nearest
+}
+
+/// Number of changes of sign of a compared value in an interval without divisions, 0 to 3; NaN if the interval must be
+/// divided. `low` and `high` are the values at the ends, `leaving` and `arriving` their slopes per interval, `first` and
+/// `second` the values found at [`CHECKS`].
+pub fn sign_changes(low: f64, high: f64, leaving: f64, arriving: f64, first: f64, second: f64) -> f64 {
+    let cubic = Cubic::new([low, high], [leaving, arriving]);
+    let [one, other] = CHECKS;
+    let wrong = worse(worse(0.0, first, cubic.at(one)), second, cubic.at(other));
+    let finite = low.is_finite() && high.is_finite() && wrong.is_finite();
+    if finite && is_right(cubic, wrong) { cubic.sign_changes() as f64 } else { f64::NAN }
+}

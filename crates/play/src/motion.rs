@@ -1,0 +1,33 @@
+//! The equations of motion, ready to be run.
+
+use engine::{Compiler, Run, RunError, Setup};
+use program::Model;
+use std::rc::Rc;
+
+/// A model with the compiler for its steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    model: &'a Model,
+    /// `None`: steps are interpreted.
+    compiler: Option<&'a Rc<dyn Compiler>>,
+}
+
+impl<'a> Motion<'a> {
+    pub(crate) fn new(model: &'a Model, compiler: Option<&'a Rc<dyn Compiler>>) -> Self {
+        Self { model, compiler }
+    }
+
+    /// Number of states.
+    pub(crate) fn states(&self) -> usize {
+        self.model.states.len()
+    }
+
+    /// Starts a run.
+    pub(crate) fn start(&self, setup: Setup) -> Result<Run, RunError> {
+        let mut run = Run::start(self.model, setup)?;
+        if let Some(compiler) = self.compiler {
+            run.compile(compiler.as_ref());
+        }
+        Ok(run)
+    }
+}

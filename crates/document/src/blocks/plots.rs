@@ -7,7 +7,7 @@ use super::curves::Placed;
 use super::members;
 use super::profiles;
 use super::sweeps;
-use crate::expressions::{Expressions, dimension_error};
+use crate::expressions::{Expressions, wrong_dimension};
 use crate::text::grammar::{AGAINST, HISTOGRAM, POINTS};
 use model::{Diagnostic, Phrase, Sentence, Span};
 use program::{Curve, Drawing, Every, Node, NodeId, Plot, Profile};
@@ -208,10 +208,7 @@ fn moment(expressions: &mut Expressions, phrase: Phrase, what: &Words) -> Option
     let (found, expected) = (placed.value.dimension(), expressions.model().independent.unit.dimension);
     if found != expected {
         let message = words!("{what} has the wrong dimension");
-        let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
-        // Both labels would be at the same place.
-        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-        expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
+        expressions.diagnostics.push(wrong_dimension(message, placed.span, found, expected));
         return None;
     }
     Some(placed.value.node)

@@ -2,12 +2,12 @@
 
 use super::identity::remark_on_identity;
 use super::tolerance::tolerance;
-use crate::expressions::{Expressions, Placed, dimension_error};
+use crate::expressions::{Expressions, Placed, dimension_error, wrong_dimension};
 use crate::text::source::trim;
 use model::{BinaryOperator, Diagnostic, ExpressionKind, Phrase, Sentence, Span, Split, lexemes};
 use program::{Claim, Kind, Moment, Relation, Sides, Test};
 use std::ops::Range;
-use units::{Words, words};
+use units::words;
 
 /// First words of a claim about the step.
 const HALVING: [&str; 4] = ["halving", "the", "step", "changes"];
@@ -68,11 +68,8 @@ fn moment<'t>(expressions: &mut Expressions, claim: Phrase<'t>, is_step: bool) -
     let independent = expressions.model().independent.unit.clone();
     if time.value.dimension() != independent.dimension {
         let message = words("this is not a moment of the run");
-        let expected = (time.span, independent.dimension);
-        let mut diagnostic = dimension_error(message, (time.span, time.value.dimension()), expected);
-        // Both labels would be at the same place.
-        let expected = diagnostic.labels.pop().map_or_else(|| Words::same(""), |label| label.text);
-        expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
+        let found = time.value.dimension();
+        expressions.diagnostics.push(wrong_dimension(message, time.span, found, independent.dimension));
         return None;
     }
     if expressions.model().graph.as_constant(time.value.node).is_some_and(|time| !(time >= 0.0 && time.is_finite())) {
@@ -153,12 +150,7 @@ fn holds(expressions: &mut Expressions, span: Span) -> Option<Test> {
         );
         return None;
     }
-    let (expression, unit, diagnostics) = model::parse_expression(source, span.range());
-    let failed = model::has_errors(&diagnostics);
-    expressions.diagnostics.extend(diagnostics);
-    if failed {
-        return None;
-    }
+    let (expression, unit) = expressions.parse(span.range())?;
     let sides = match &expression.kind {
         ExpressionKind::Binary(operator, left, right) => {
             relation(*operator).map(|relation| (relation, left.as_ref().clone(), right.as_ref().clone()))

@@ -110,12 +110,7 @@ fn written(expressions: &mut Expressions, phrase: Phrase) -> Option<Written> {
 
 /// Parses the expression and its unit.
 fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression, Option<StatedUnit>)> {
-    let (value, unit, found) = model::parse_expression(expressions.source, written.body.range());
-    let failed = model::has_errors(&found);
-    expressions.diagnostics.extend(found);
-    if failed {
-        return None;
-    }
+    let (value, unit) = expressions.parse(written.body.range())?;
     if let (Some(first), Some(second)) = (&unit, &written.unit) {
         let message = words("the unit is stated twice");
         expressions.diagnostics.push(

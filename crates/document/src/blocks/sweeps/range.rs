@@ -1,6 +1,6 @@
 //! Range of a sweep and its numbers: `1..12 [rad/s] step 0.1`.
 
-use crate::expressions::{Expressions, dimension_error};
+use crate::expressions::{Expressions, wrong_dimension};
 use crate::text::source::trim;
 use model::{Diagnostic, Phrase, Span};
 use std::ops::Range;
@@ -95,10 +95,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
         Ok(found) => {
             let message = words("this unit has the wrong dimension");
             let place = Span::new(range.start, range.end);
-            let mut diagnostic = dimension_error(message, (place, found.dimension), (place, unit.dimension));
-            // Both labels would be at the same place.
-            let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-            expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
+            expressions.diagnostics.push(wrong_dimension(message, place, found.dimension, unit.dimension));
             None
         }
         Err(error) => {

@@ -70,11 +70,16 @@ impl<'a> Expressions<'a> {
 
     /// Compiles the expression in `range`. The flag is true if its unit is stated.
     fn read(&mut self, range: Range<usize>) -> Option<(Placed, bool)> {
-        let (expression, unit, diagnostics) = model::parse_expression(self.source, range);
-        let failed = model::has_errors(&diagnostics);
-        self.diagnostics.extend(diagnostics);
-        let placed = if failed { None } else { self.place(expression, unit.as_ref()) }?;
-        Some((placed, unit.is_some()))
+        let (expression, unit) = self.parse(range)?;
+        Some((self.place(expression, unit.as_ref())?, unit.is_some()))
+    }
+
+    /// Parses the expression in `range` and its stated unit. `None` after an error.
+    pub fn parse(&mut self, range: Range<usize>) -> Option<(Expression, Option<StatedUnit>)> {
+        let (expression, unit, found) = model::parse_expression(self.source, range);
+        let failed = model::has_errors(&found);
+        self.diagnostics.extend(found);
+        (!failed).then_some((expression, unit))
     }
 
     /// The name in `range`, with its primes; a member of a family with its numbers. `None` if the text is not a name.
@@ -372,4 +377,12 @@ pub fn dimension_error(
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))
         .with_label(expected.0, describe(expected.1))
+}
+
+/// [`dimension_error`] at one place, with a note about the dimension expected.
+pub fn wrong_dimension(message: Words, span: Span, found: units::Dimension, expected: units::Dimension) -> Diagnostic {
+    let mut diagnostic = dimension_error(message, (span, found), (span, expected));
+    // Both labels would be at the same place.
+    let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
+    diagnostic.with_note(words!("it must be {expected}"))
 }

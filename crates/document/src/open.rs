@@ -129,15 +129,15 @@ impl<'a> File<'a> {
         let main = named::main(&mut expressions, self.outline.front_matter());
         let mut plots = Vec::new();
         for block in self.outline.blocks_of(BlockKind::Plots) {
-            plots::read(&mut expressions, block.content.range(), settings.until, &mut plots);
+            plots::read(&mut expressions, &block.sentences, settings.until, &mut plots);
         }
         let mut presets = Vec::new();
         for block in self.outline.blocks_of(BlockKind::Presets) {
-            presets::read(&mut expressions, block.content.range(), &mut presets);
+            presets::read(&mut expressions, &block.sentences, &mut presets);
         }
         let mut checks = Checks::default();
         for block in self.outline.blocks_of(BlockKind::Check) {
-            checks.read(&mut expressions, block.content.range());
+            checks.read(&mut expressions, &block.sentences);
         }
         let mut scenes = self.outline.blocks_of(BlockKind::Scene);
         let (scene, scene_words) = scenes

@@ -3,8 +3,8 @@
 use crate::Document;
 use crate::blocks::sweeps::{self, Limits};
 use crate::expressions::Expressions;
-use crate::text::scan::split;
-use model::{Diagnostic, Span, has_errors};
+use crate::text::grammar;
+use model::{Diagnostic, Grammar, Span, has_errors, sentence};
 use program::Outcomes;
 use units::words;
 
@@ -14,7 +14,9 @@ use units::words;
 /// # Errors
 /// Diagnostics with their places in `text`.
 pub fn outcomes(document: &mut Document, text: &str) -> Result<Outcomes, Vec<Diagnostic>> {
-    with_expressions(document, text, |expressions| sweeps::outcomes(expressions, split(text, 0..text.len(), ',')))
+    with_expressions(document, text, |expressions| {
+        sweeps::outcomes(expressions, sentence(text, 0..text.len(), &grammar::OUTCOMES).phrases())
+    })
 }
 
 /// Reads `b in 0..100 [kg/s] step 2`: index of a parameter that is a number, and its range.
@@ -23,13 +25,14 @@ pub fn outcomes(document: &mut Document, text: &str) -> Result<Outcomes, Vec<Dia
 /// Diagnostics with their places in `text`.
 pub fn parameter_range(document: &mut Document, text: &str) -> Result<(usize, Limits), Vec<Diagnostic>> {
     with_expressions(document, text, |expressions| {
-        let Some(swept) = sweeps::find(text, 0..text.len()) else {
+        let range = sentence(text, 0..text.len(), &Grammar { is_list: false, ..grammar::OUTCOMES });
+        let Some(swept) = range.phrases().next().and_then(sweeps::find) else {
             let hint = words("write it as `b in 0..100 [kg/s] step 2`");
             let missing = Diagnostic::error("sweep", words("this is no range of values"), Span::new(0, text.len()));
             expressions.diagnostics.push(missing.with_hint(hint));
             return None;
         };
-        sweeps::parameter_range(expressions, &swept)
+        sweeps::parameter_range(expressions, swept)
     })
 }
 

@@ -24,6 +24,7 @@ mod notation;
 mod of_runs;
 mod parser;
 mod places;
+mod sentence;
 mod so_far;
 mod syntax;
 mod tables;
@@ -39,5 +40,9 @@ pub use formatting::{Form, format, spaced};
 pub use functions::Functions;
 pub use parser::{parse, parse_assignments, parse_expression};
 pub use places::Places;
+pub use sentence::{
+    Clause, Grammar, Keyword, Lexeme, LexemeKind, Operand, Phrase, Sentence, Split, inside, lexemes, outside, sentence,
+    sentences,
+};
 pub use syntax::*;
 pub use typeset::{typeset, typeset_each, typeset_expression, typeset_one};

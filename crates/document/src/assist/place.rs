@@ -1,7 +1,7 @@
 //! Kind of text at the cursor.
 
 use crate::{BlockKind, Outline};
-use model::Span;
+use model::{LexemeKind, Span, lexemes};
 use std::ops::Range;
 
 /// Kind of text that can stand at a place.
@@ -124,17 +124,18 @@ fn word(source: &str, range: Range<usize>, is_part: impl Fn(char) -> bool) -> Sp
 
 /// Place in a line of the model, a plot, a preset or a claim.
 fn in_expression<'a>(source: &str, line: Range<usize>, is_model: bool) -> (Place<'a>, Span) {
-    let text = &source[line.clone()];
-    let quotes = text.matches('"').count();
-    if quotes % 2 == 1 || text.contains('#') {
+    let lexemes = lexemes(source, line.clone());
+    let last = lexemes.iter().rfind(|lexeme| lexeme.kind != LexemeKind::Blank);
+    let begun = last.filter(|last| matches!(last.kind, LexemeKind::Unknown | LexemeKind::Comment));
+    let begun = begun.map_or("", |last| last.text(source));
+    if begun.starts_with(['"', '“', '„', '«', '#']) {
         return (Place::Nothing, Span::new(line.end, line.end));
     }
-    let open = text.rfind('[').filter(|&open| !text[open..].contains(']'));
-    if let Some(open) = open {
+    if let Some(last) = last.filter(|_| begun.starts_with('[')) {
         // Brackets directly after a name hold an index.
-        if !text[..open].ends_with(letters) {
+        if !source[line.start..last.span.start].ends_with(letters) {
             let is_part = |letter: char| letters(letter) || matches!(letter, '%' | '°');
-            return (Place::Unit, word(source, line.start + open + 1..line.end, is_part));
+            return (Place::Unit, word(source, last.span.start + 1..line.end, is_part));
         }
     }
     let word = word(source, line.clone(), letters);

@@ -2,9 +2,8 @@
 
 use super::names::{FUNCTION, declared_by};
 use super::vocabulary;
-use crate::text::source::{lines, trim};
 use crate::{Block, BlockKind, Outline};
-use model::{Span, Statement, StatementKind};
+use model::{Span, Statement, StatementKind, inside};
 use units::Words;
 
 /// Longest name of a symbol in characters; longer texts are cut and end with dots.
@@ -68,14 +67,12 @@ fn of_block(outline: &Outline, block: &Block) -> Symbol {
     }
 }
 
-/// Lines of a block that begin with a title in quotation marks.
+/// Sentences with a title; a group of presets is none.
 fn entries(source: &str, block: &Block) -> Vec<Symbol> {
-    let titled = lines(source, block.content.range()).filter_map(|line| {
-        let range = trim(source, line.range());
-        let (title, _) = source[range.clone()].strip_prefix('"')?.split_once('"')?;
-        let named = Span::new(range.start, range.start + title.len() + 2);
-        let span = Span::new(range.start, range.end);
-        Some(leaf(title, Words::default(), SymbolKind::Entry, span, named))
+    let listed = block.sentences.iter().filter(|one| one.head.is_none() || block.kind == BlockKind::Survey);
+    let titled = listed.filter_map(|sentence| {
+        let named = sentence.title?;
+        Some(leaf(inside(source, named), Words::default(), SymbolKind::Entry, sentence.span, named))
     });
     titled.collect()
 }

@@ -1,10 +1,8 @@
 //! Curves of a figure: `y'`, or `(h_l + h_r)/2 + y "Left level"`.
 
 use crate::expressions::{Expressions, dimension_error};
-use crate::text::source::trim;
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Phrase, Span, inside};
 use program::{Curve, Drawing, Plot};
-use std::ops::Range;
 use units::{Words, words};
 
 /// A curve or an abscissa, and its place.
@@ -16,8 +14,8 @@ pub struct Placed {
 }
 
 /// Error for text that is not a plot.
-pub fn malformed(message: Words, range: &Range<usize>) -> Diagnostic {
-    Diagnostic::error("plot-syntax", message, Span::new(range.start, range.end))
+pub fn malformed(message: Words, span: Span) -> Diagnostic {
+    Diagnostic::error("plot-syntax", message, span)
 }
 
 /// Adds curves against `x` to a plot. All abscissas must have one dimension.
@@ -53,40 +51,32 @@ pub fn add(
     Some(())
 }
 
-/// Splits off the label at the end: `y "Height"`.
-pub fn labelled(source: &str, range: Range<usize>) -> (Range<usize>, Option<String>) {
-    let range = trim(source, range);
-    if let Some(opening) = source[range.clone()].strip_suffix('"').and_then(|text| text.rfind('"')) {
-        let quote = range.start + opening;
-        if quote > range.start {
-            return (trim(source, range.start..quote), Some(source[quote + 1..range.end - 1].to_owned()));
-        }
-    }
-    (range, None)
+/// Label of a phrase: `y "Height"`.
+pub fn label(source: &str, phrase: Phrase) -> Option<String> {
+    phrase.label().map(|label| inside(source, label).to_owned())
 }
 
-/// Parses and compiles the curve in `range`.
-pub fn read(expressions: &mut Expressions, range: Range<usize>) -> Option<Placed> {
-    let (range, label) = labelled(expressions.source, range);
-    let value = expressions.number(range.clone())?;
-    Some(placed(expressions, value, range.clone(), range, label))
+/// Parses and compiles a curve.
+pub fn read(expressions: &mut Expressions, phrase: Phrase) -> Option<Placed> {
+    let (span, label) = (phrase.unlabelled(), label(expressions.source, phrase));
+    let value = expressions.number(span.range())?;
+    Some(placed(expressions, value, span, span, label))
 }
 
-/// A curve with the value of the expression in `range`. Without a label it gets the label of the name in `named`, if there
-/// is one.
+/// A curve with the value of the expression at `span`. Without a label it gets the label of the name at `named`, if there is
+/// one.
 pub fn placed(
     expressions: &Expressions,
     value: crate::expressions::Placed,
-    range: Range<usize>,
-    named: Range<usize>,
+    span: Span,
+    named: Span,
     label: Option<String>,
 ) -> Placed {
     let source = expressions.source;
-    let span = Span::new(range.start, range.end);
     let is_named = label.is_some();
     let label = label.or_else(|| label_of_name(expressions, named));
-    let shown = without_unit(&source[range.clone()]).len();
-    let expression = model::spaced(source, range.start..range.start + shown);
+    let shown = without_unit(&source[span.range()]).len();
+    let expression = model::spaced(source, span.start..span.start + shown);
     Placed { curve: Curve { expression, label, named: is_named, value: value.value }, span }
 }
 
@@ -97,9 +87,9 @@ fn without_unit(text: &str) -> &str {
     before.filter(|before| before.ends_with(char::is_whitespace)).unwrap_or(text)
 }
 
-/// Label of the name in `range`; `None` if the text is not a name or has no label.
-fn label_of_name(expressions: &Expressions, range: Range<usize>) -> Option<String> {
-    let name = expressions.name(range)?;
+/// Label of the name at `span`; `None` if the text is not a name or has no label.
+fn label_of_name(expressions: &Expressions, span: Span) -> Option<String> {
+    let name = expressions.name(span.range())?;
     let model = expressions.model();
     if let Some(state) = model.states.iter().find(|state| state.name() == name) {
         return state.label.clone();

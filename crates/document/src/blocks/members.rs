@@ -3,18 +3,16 @@
 use super::curves;
 use super::curves::Placed;
 use crate::expressions::{Expressions, dimension_error};
-use crate::text::scan::find_word;
-use crate::text::source::trim;
-use model::{Diagnostic, Name, Over, Span};
+use model::{Diagnostic, Name, Operand, Over, Phrase, Span};
 use program::{Members, NodeId};
 use std::ops::{Range, RangeInclusive};
 use units::{Words, words};
 
-/// `for i in 0..N+1`, as byte ranges in the source.
-#[derive(Clone, Debug)]
+/// `for i in 0..N+1`.
+#[derive(Clone, Copy, Debug)]
 pub struct Index {
-    name: Range<usize>,
-    ends: Range<usize>,
+    name: Span,
+    ends: Operand,
 }
 
 /// Values of all members.
@@ -25,23 +23,21 @@ pub struct Read {
     pub nodes: Vec<NodeId>,
 }
 
-/// Splits a part into the text before `for NAME in LOW..HIGH` and that index. `None` if the part has no such end.
-pub fn find(source: &str, part: Range<usize>) -> Option<(Range<usize>, Index)> {
-    let word = find_word(source, part.clone(), "for")?;
-    let rest = trim(source, word.end..part.end);
-    let length = source[rest.clone()].find(|letter: char| !(letter.is_alphanumeric() || letter == '_'))?;
-    let name = rest.start..rest.start + length;
-    let ends = source[name.end..rest.end].trim_start().strip_prefix("in")?;
-    let is_index = length > 0 && ends.starts_with(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
-    let before = trim(source, part.start..word.start);
-    (is_index && !before.is_empty()).then(|| (before, Index { name, ends: rest.end - ends.len()..rest.end }))
+/// Splits a part into the phrase before `for NAME in LOW..HIGH` and that index. `None` if the part has no such end.
+pub fn find(part: Phrase) -> Option<(Phrase, Index)> {
+    let over = part.split_last(&["for"])?;
+    let range = over.after.split_first("in")?;
+    let (name, ends) = (range.before.operand, Operand { span: range.after.span(), ..range.after.operand });
+    let is_index =
+        name.is_word && range.before.clauses.is_empty() && !over.before.is_empty() && !range.after.is_empty();
+    is_index.then_some((over.before, Index { name: name.span, ends }))
 }
 
 /// Values of an index: constant integers.
-pub fn values(expressions: &mut Expressions, index: &Index) -> Option<RangeInclusive<i64>> {
+pub fn values(expressions: &mut Expressions, index: Index) -> Option<RangeInclusive<i64>> {
     let source = expressions.source;
-    let place = Span::new(index.name.start, index.name.end);
-    let text = &source[index.name.clone()];
+    let place = index.name;
+    let text = &source[index.name.range()];
     if expressions.is_taken(text) {
         let message = words!("`{text}` has a meaning already");
         expressions.diagnostics.push(
@@ -49,27 +45,25 @@ pub fn values(expressions: &mut Expressions, index: &Index) -> Option<RangeInclu
         );
         return None;
     }
-    let ends = trim(source, index.ends.clone());
-    let Some(dots) = source[ends.clone()].find("..") else {
-        return refuse(expressions, words("this is no range of an index"), &ends);
+    let ends = index.ends.span;
+    let Some(dots) = index.ends.dots else {
+        return refuse(expressions, words("this is no range of an index"), ends);
     };
     let name = Name { text: text.to_owned(), span: place };
-    let (low, high) = (ends.start..ends.start + dots, ends.start + dots + 2..ends.end);
-    let values = expressions.whole_range(name, low, high)?;
+    let values = expressions.whole_range(name, ends.start..dots.start, dots.end..ends.end)?;
     let count = values.end().saturating_sub(*values.start()).saturating_add(1);
     if count < 1 {
-        return refuse(expressions, words("the range is empty"), &ends);
+        return refuse(expressions, words("the range is empty"), ends);
     }
     if count > Members::MOST as i64 {
         let most = Members::MOST;
         let message = words!("a plot cannot have more than {most} members");
-        return refuse(expressions, message, &ends);
+        return refuse(expressions, message, ends);
     }
     Some(values)
 }
 
-fn refuse<T>(expressions: &mut Expressions, message: Words, place: &Range<usize>) -> Option<T> {
-    let span = Span::new(place.start, place.end);
+fn refuse<T>(expressions: &mut Expressions, message: Words, span: Span) -> Option<T> {
     expressions
         .diagnostics
         .push(Diagnostic::error("index-range", message, span).with_hint(words("write `for i in 1..10`")));
@@ -115,19 +109,14 @@ impl Expressions<'_> {
     }
 }
 
-/// Compiles the text in `range`, with its label, for each value of an index. All members must have one dimension.
-pub fn read(
-    expressions: &mut Expressions,
-    range: Range<usize>,
-    index: &Index,
-    values: RangeInclusive<i64>,
-) -> Option<Read> {
-    let name = expressions.source[index.name.clone()].to_owned();
+/// Compiles a phrase, with its label, for each value of an index. All members must have one dimension.
+pub fn read(expressions: &mut Expressions, phrase: Phrase, index: Index, values: RangeInclusive<i64>) -> Option<Read> {
+    let name = expressions.source[index.name.range()].to_owned();
     let mut nodes = Vec::new();
     let mut shown: Option<(Placed, bool)> = None;
     for value in values {
         expressions.hold(&name, value);
-        let placed = curves::read(expressions, range.clone());
+        let placed = curves::read(expressions, phrase);
         expressions.release();
         // An error of one member occurs in all, or names the member.
         let placed = placed?;

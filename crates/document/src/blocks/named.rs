@@ -3,7 +3,7 @@
 
 use super::front_matter::{FrontMatter, Value};
 use crate::expressions::Expressions;
-use model::{Diagnostic, ExpressionKind, Name, Span};
+use model::{Diagnostic, ExpressionKind, Grammar, Name, Span, sentence};
 use program::Program;
 use units::words;
 
@@ -49,19 +49,17 @@ fn read(expressions: &mut Expressions, key: &'static str, value: &Value) -> Vec<
     let source = expressions.source;
     let text = &source[value.span.range()];
     let inside = text.trim_matches(['"', '\'']);
-    let mut start = value.span.start + text.find(inside).unwrap_or(0);
+    let start = value.span.start + text.find(inside).unwrap_or(0);
     let mut named: Vec<(usize, Span)> = Vec::new();
-    for piece in inside.split(',') {
-        let range = crate::text::source::trim(source, start..start + piece.len());
-        start += piece.len() + 1;
-        let span = Span::new(range.start, range.end);
-        if range.is_empty() {
+    for phrase in sentence(source, start..start + inside.len(), &Grammar::LIST).phrases() {
+        let span = phrase.span();
+        if phrase.is_empty() {
             let message = words!("`{key}` names parameters, with a comma between them");
             expressions.error(key, message, value.span);
             continue;
         }
         // Parsed as in the model, so that `ω₀` and `omega_0` are the same name.
-        let (expression, unit, found) = model::parse_expression(source, range);
+        let (expression, unit, found) = model::parse_expression(source, span.range());
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
             let message = words!("`{}` is not the name of a parameter", &source[span.range()]);
             expressions.error(key, message, span);

@@ -6,26 +6,21 @@ use super::curves::{add, malformed};
 use super::members;
 use super::members::Index;
 use crate::expressions::Expressions;
-use crate::text::scan::{find_word, split};
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Phrase, Sentence, Span};
 use program::{Drawing, Members, Plot};
-use std::ops::Range;
 use units::words;
-
-/// Keyword before the counted quantity.
-pub const HISTOGRAM: &str = "histogram";
 
 /// Adds the curves in `parts` against the expression in `across`, with one point for each value of the index.
 pub fn read(
     expressions: &mut Expressions,
-    parts: Vec<Range<usize>>,
-    (across, index): (Range<usize>, Index),
+    parts: Vec<Phrase>,
+    (across, index): (Phrase, Index),
     title: &str,
     (plot, all): (&mut Option<Plot>, &mut Vec<Members>),
 ) -> Option<()> {
-    let values = members::values(expressions, &index)?;
+    let values = members::values(expressions, index)?;
     let several = values.start() < values.end();
-    let x = members::read(expressions, across, &index, values.clone())?;
+    let x = members::read(expressions, across, index, values.clone())?;
     if several && x.nodes.windows(2).all(|pair| pair[0] == pair[1]) {
         let name = &x.curve.curve.expression;
         let message = words!("`{name}` is the same for all members");
@@ -37,7 +32,7 @@ pub fn read(
     }
     let mut curves = Vec::new();
     for part in parts {
-        let read = members::read(expressions, part, &index, values.clone())?;
+        let read = members::read(expressions, part, index, values.clone())?;
         all.push(Members { x: x.nodes.clone(), y: read.nodes });
         curves.push(read.curve.curve);
     }
@@ -45,23 +40,23 @@ pub fn read(
 }
 
 /// Reads the histogram of `v[i] for i in 1..N`, the members at the moment shown, or of `x`, its values during the run.
-pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>) -> Option<Plot> {
-    let source = expressions.source;
-    let is_one = split(source, range.clone(), ',').len() == 1 && find_word(source, range.clone(), "against").is_none();
-    if !is_one {
+pub fn histogram(expressions: &mut Expressions, title: &str, sentence: &Sentence) -> Option<Plot> {
+    let mut parts = sentence.phrases();
+    let one = parts.next().filter(|part| part.split_last(&["against"]).is_none());
+    let Some(part) = one.filter(|_| parts.next().is_none() && sentence.ending.is_none()) else {
         let message = words("a histogram counts the values of one quantity");
-        expressions
-            .diagnostics
-            .push(malformed(message, &range).with_hint(words("write `histogram v[i] for i in 1..N` or `histogram x`")));
+        expressions.diagnostics.push(
+            malformed(message, sentence.body).with_hint(words("write `histogram v[i] for i in 1..N` or `histogram x`")),
+        );
         return None;
-    }
-    let (curve, nodes) = match members::find(source, range.clone()) {
+    };
+    let (curve, nodes) = match members::find(part) {
         Some((before, index)) => {
-            let values = members::values(expressions, &index)?;
-            let read = members::read(expressions, before, &index, values)?;
+            let values = members::values(expressions, index)?;
+            let read = members::read(expressions, before, index, values)?;
             (read.curve, read.nodes)
         }
-        None => (curves::read(expressions, range)?, Vec::new()),
+        None => (curves::read(expressions, part)?, Vec::new()),
     };
     if nodes.is_empty() && !expressions.model().depends(curve.curve.value.node).varies() {
         let message = words!("`{}` stays the same during a run, so there is nothing to count", curve.curve.expression);
@@ -73,8 +68,7 @@ pub fn histogram(expressions: &mut Expressions, title: &str, range: Range<usize>
 }
 
 /// Reports a plot that mixes curves at one moment with other curves.
-pub fn refuse_mixture(expressions: &mut Expressions, statement: &Range<usize>) {
-    let span = Span::new(statement.start, statement.end);
+pub fn refuse_mixture(expressions: &mut Expressions, span: Span) {
     let message = words("curves over members and curves along the run cannot share a plot");
     expressions
         .diagnostics

@@ -3,9 +3,9 @@
 use super::tolerances;
 use crate::expressions::Expressions;
 use crate::prose::Prose;
-use crate::text::scan::find_word;
+use crate::text::grammar;
 use crate::text::source::{lines, trim};
-use model::{Diagnostic, ExpressionKind, Span};
+use model::{Diagnostic, ExpressionKind, Grammar, Span, sentence};
 use program::{Question, QuestionText};
 use std::ops::Range;
 use units::words;
@@ -161,21 +161,17 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     let setup = raw.field("set").map_or(Vec::new(), |range| expressions.assignments(range));
     let hides = raw.field("hide").map_or(Vec::new(), |range| hidden(expressions, range));
     let after = raw.field("after").map_or(Vec::new(), |range| questions_before(expressions, range, earlier));
-    let answer = trim(source, answer);
-    let Some(within) = find_word(source, answer.clone(), "within") else {
+    let answer = sentence(source, answer, &grammar::ANSWER);
+    let Some(within) = answer.phrases().next().and_then(|phrase| phrase.split_last(&["within"])) else {
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "question-syntax",
-                words("how exact must the answer be?"),
-                Span::new(answer.start, answer.end),
-            )
-            .with_hint(words("end it with `within 2 %` or, say, `within 0.1 [s]`"))
-            .with_fix(Span::new(answer.end, answer.end), " within 2 %"),
+            Diagnostic::error("question-syntax", words("how exact must the answer be?"), answer.span)
+                .with_hint(words("end it with `within 2 %` or, say, `within 0.1 [s]`"))
+                .with_fix(answer.span.after(), " within 2 %"),
         );
         return None;
     };
-    let answer_value = expressions.constant(answer.start..within.start, &words("an answer"))?;
-    let tolerance = tolerances::read(expressions, trim(source, within.end..answer.end), &answer_value, &TOLERANCE)?;
+    let answer_value = expressions.constant(within.before.span().range(), &words("an answer"))?;
+    let tolerance = tolerances::read(expressions, within.after.span(), &answer_value, &TOLERANCE)?;
     let answer = answer_value.value;
     Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
 }
@@ -184,18 +180,14 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
 fn questions_before(expressions: &mut Expressions, range: Range<usize>, earlier: &[Option<usize>]) -> Vec<usize> {
     let source = expressions.source;
     let mut questions = Vec::new();
-    let mut start = range.start;
-    for piece in source[range].split(',') {
-        // The place of a blank entry is its beginning.
-        let range = if piece.trim().is_empty() { start..start } else { trim(source, start..start + piece.len()) };
-        start += piece.len() + 1;
-        let text = &source[range.clone()];
+    for phrase in sentence(source, range, &Grammar::LIST).phrases() {
+        let span = phrase.span();
+        let text = &source[span.range()];
         let number = if text == "previous" { Some(earlier.len()) } else { text.parse().ok() };
         match number.and_then(|number: usize| earlier.get(number.checked_sub(1)?)) {
             // A question with errors is not shown, so nothing can depend on it.
             Some(question) => questions.extend(question.filter(|question| !questions.contains(question))),
             None => {
-                let span = Span::new(range.start, range.end);
                 let message = words!("there is no question `{text}` before this one");
                 let diagnostic = Diagnostic::error("question-syntax", message, span);
                 expressions.diagnostics.push(match earlier.len() {
@@ -216,13 +208,10 @@ fn questions_before(expressions: &mut Expressions, range: Range<usize>, earlier:
 fn hidden(expressions: &mut Expressions, range: Range<usize>) -> Vec<usize> {
     let source = expressions.source;
     let mut quantities = Vec::new();
-    let mut start = range.start;
-    for piece in source[range].split(',') {
-        let range = trim(source, start..start + piece.len());
-        start += piece.len() + 1;
-        let span = Span::new(range.start, range.end);
+    for phrase in sentence(source, range, &Grammar::LIST).phrases() {
+        let span = phrase.span();
         // Parsed as in the model, so that `ω₀` and `omega_0` are the same name.
-        let (expression, unit, found) = model::parse_expression(source, range);
+        let (expression, unit, found) = model::parse_expression(source, span.range());
         let ExpressionKind::Name { name, order: 0 } = expression.kind else {
             let message = words("`hide:` names quantities, with a comma between them");
             expressions.error("question-syntax", message, span);

@@ -1,10 +1,10 @@
 //! Settings of the run in the front matter.
 
 use super::front_matter::{FrontMatter, Value};
-use crate::expressions::dimension_error;
-use model::{Diagnostic, Span};
+use crate::expressions::wrong_dimension;
+use model::Diagnostic;
 use program::{Method, Model, Speed};
-use units::{Dimension, Unit, words};
+use units::{Unit, words};
 
 /// The checked front matter. Values are in SI units.
 pub struct Settings {
@@ -116,7 +116,12 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
     match Unit::parse(stated) {
         Ok(stated) if stated.dimension == unit.dimension => Some((stated.to_si(number), stated)),
         Ok(stated) => {
-            diagnostics.push(mismatch(key, value.span, stated.dimension, unit.dimension));
+            diagnostics.push(wrong_dimension(
+                words!("`{key}` has the wrong dimension"),
+                value.span,
+                stated.dimension,
+                unit.dimension,
+            ));
             None
         }
         Err(error) => {
@@ -126,12 +131,4 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
             None
         }
     }
-}
-
-fn mismatch(key: &str, span: Span, found: Dimension, expected: Dimension) -> Diagnostic {
-    let mut diagnostic = dimension_error(words!("`{key}` has the wrong dimension"), (span, found), (span, expected));
-    // Both labels would be at the same place.
-    let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-    diagnostic = diagnostic.with_note(words!("it must be {expected}"));
-    diagnostic
 }

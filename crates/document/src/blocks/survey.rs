@@ -2,11 +2,9 @@
 
 use crate::text::block::BlockKind;
 use crate::text::outline::Outline;
-use crate::text::scan::{leading_text, split, statements};
 use crate::text::source::trim;
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Phrase, Sentence, Span};
 use program::{SurveyItem, SurveyKind, SurveyText};
-use std::ops::Range;
 use units::alphabet::plain;
 use units::{Words, nearest, words};
 
@@ -37,17 +35,15 @@ pub struct RawItem {
 /// Items of all survey blocks of a file, in text order; `None` for one that cannot be read.
 pub fn read(outline: &Outline, diagnostics: &mut Vec<Diagnostic>) -> Vec<Option<RawItem>> {
     let source = outline.source();
-    let lines = outline.blocks_of(BlockKind::Survey).flat_map(|block| statements(source, block.content.range()));
     let mut items = Vec::new();
-    for line in lines {
-        let span = Span::new(line.start, line.end);
+    for sentence in outline.blocks_of(BlockKind::Survey).flat_map(|block| &block.sentences) {
         if items.len() == SurveyItem::MOST {
             let most = SurveyItem::MOST;
             let message = words!("a survey cannot have more than {most} items");
-            diagnostics.push(Diagnostic::error("too-large", message, span));
+            diagnostics.push(Diagnostic::error("too-large", message, sentence.span));
             break;
         }
-        match item(source, line) {
+        match item(source, sentence) {
             Ok(item) => items.push(Some(item)),
             Err(diagnostic) => {
                 diagnostics.push(*diagnostic);
@@ -149,24 +145,23 @@ fn other_item(raw: &RawItem, item: SurveyItem, number: usize) -> Diagnostic {
 }
 
 /// Reads one item.
-fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
-    let span = Span::new(line.start, line.end);
-    let length = source[line.clone()].find(|c: char| !c.is_alphanumeric()).unwrap_or(line.len());
-    let word = &source[line.start..line.start + length];
+fn item(source: &str, sentence: &Sentence) -> Result<RawItem, Box<Diagnostic>> {
+    let span = sentence.span;
+    let length = source[span.range()].find(|c: char| !c.is_alphanumeric()).unwrap_or(span.end - span.start);
+    let place = Span::new(span.start, span.start + length);
+    let word = &source[place.range()];
     let Some(kind) = SurveyKind::ALL.into_iter().find(|kind| kind.word() == word) else {
-        return Err(Box::new(unknown(word, Span::new(line.start, line.start + length), span)));
+        return Err(Box::new(unknown(word, place, span)));
     };
-    let rest = trim(source, line.start + length..line.end);
-    let (asked, end) =
-        quoted(source, rest.clone()).ok_or_else(|| fault(words!("the `{word}` has no text"), span, kind))?;
-    let rest = trim(source, end..rest.end);
-    let behind = source[rest.clone()].strip_prefix(':').map(|_| trim(source, rest.start + 1..rest.end));
+    let asked = sentence.title_text(source).filter(|_| sentence.head.is_some());
+    let asked = asked.ok_or_else(|| fault(words!("the `{word}` has no text"), span, kind))?.trim();
+    let rest = sentence.rest();
     let text = |words: Vec<String>| SurveyText { asked: asked.to_owned(), words };
-    let (answers, text) = match (kind, behind) {
-        (SurveyKind::Text, _) if rest.is_empty() => (0, text(Vec::new())),
+    let (answers, text) = match (kind, sentence.colon) {
+        (SurveyKind::Text, _) if rest.start == rest.end => (0, text(Vec::new())),
         (SurveyKind::Text, _) => {
             let message = words("nothing stands behind the text of a `text`");
-            return Err(fault(message, Span::new(rest.start, rest.end), kind));
+            return Err(fault(message, rest, kind));
         }
         (_, None) => {
             let message = match kind {
@@ -175,12 +170,12 @@ fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
             };
             return Err(fault(message, span, kind));
         }
-        (SurveyKind::Scale, Some(range)) => {
-            let (steps, ends) = steps(source, range)?;
+        (SurveyKind::Scale, Some(_)) => {
+            let (steps, ends) = steps(source, sentence)?;
             (steps, text(ends))
         }
-        (_, Some(range)) => {
-            let words = alternatives(source, range, kind)?;
+        (_, Some(_)) => {
+            let words = alternatives(source, sentence, kind)?;
             (words.len(), text(words))
         }
     };
@@ -192,30 +187,27 @@ fn item(source: &str, line: Range<usize>) -> Result<RawItem, Box<Diagnostic>> {
     Ok(RawItem { span, item: SurveyItem { kind, answers }, text })
 }
 
-/// Text in quotation marks that is not blank, and the byte behind it.
-fn quoted(source: &str, range: Range<usize>) -> Option<(&str, usize)> {
-    let (text, end) = leading_text(source, range)?;
-    Some((text.trim(), end)).filter(|(text, _)| !text.is_empty())
+/// The text that is the whole phrase and not blank.
+fn quoted<'a>(source: &'a str, phrase: Phrase) -> Option<&'a str> {
+    phrase.text(source).map(str::trim).filter(|text| !text.is_empty())
 }
 
 /// Reads `5 steps from "no" to "yes"`.
-fn steps(source: &str, range: Range<usize>) -> Result<(usize, Vec<String>), Box<Diagnostic>> {
-    let span = Span::new(range.start, range.end);
+fn steps(source: &str, sentence: &Sentence) -> Result<(usize, Vec<String>), Box<Diagnostic>> {
     let unreadable = || {
         let message = words("a scale is a number of steps and the words at both ends");
-        fault(message, span, SurveyKind::Scale)
+        fault(message, sentence.body, SurveyKind::Scale)
     };
-    let after = |range: Range<usize>, word: &str| {
-        let rest = source[range.clone()].strip_prefix(word).ok_or_else(unreadable)?;
-        Ok::<_, Box<Diagnostic>>(trim(source, range.end - rest.len()..range.end))
-    };
-    let digits = source[range.clone()].bytes().take_while(u8::is_ascii_digit).count();
-    let number = Span::new(range.start, range.start + digits);
+    let mut phrases = sentence.phrases();
+    let phrase = phrases.next().filter(|_| phrases.next().is_none()).ok_or_else(unreadable)?;
+    let from = phrase.split_first("from").ok_or_else(unreadable)?;
+    let to = from.after.split_first("to").ok_or_else(unreadable)?;
+    let counted = from.before.span();
+    let digits = source[counted.range()].bytes().take_while(u8::is_ascii_digit).count();
+    let number = Span::new(counted.start, counted.start + digits);
     let steps: Option<usize> = source[number.range()].parse().ok();
-    let rest = after(trim(source, number.end..range.end), "steps")?;
-    let (low, end) = quoted(source, after(rest, "from")?).ok_or_else(unreadable)?;
-    let (high, end) = quoted(source, after(trim(source, end..range.end), "to")?).ok_or_else(unreadable)?;
-    if end != range.end {
+    let (low, high) = quoted(source, to.before).zip(quoted(source, to.after)).ok_or_else(unreadable)?;
+    if &source[trim(source, number.end..counted.end)] != "steps" {
         return Err(unreadable());
     }
     let most = SurveyItem::MOST_STEPS;
@@ -227,12 +219,11 @@ fn steps(source: &str, range: Range<usize>) -> Result<(usize, Vec<String>), Box<
 }
 
 /// Reads `"student", "teacher"`.
-fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<Vec<String>, Box<Diagnostic>> {
+fn alternatives(source: &str, sentence: &Sentence, kind: SurveyKind) -> Result<Vec<String>, Box<Diagnostic>> {
     let mut found: Vec<String> = Vec::new();
-    for part in split(source, range.clone(), ',') {
-        let part = trim(source, part);
-        let span = Span::new(part.start, part.end);
-        let Some((text, _)) = quoted(source, part.clone()).filter(|(_, end)| *end == part.end) else {
+    for part in sentence.phrases() {
+        let span = part.span();
+        let Some(text) = quoted(source, part) else {
             let message = words("an alternative is a text in quotation marks");
             return Err(fault(message, span, kind));
         };
@@ -247,7 +238,7 @@ fn alternatives(source: &str, range: Range<usize>, kind: SurveyKind) -> Result<V
     let most = SurveyItem::MOST_ALTERNATIVES;
     if !(2..=most).contains(&found.len()) {
         let message = words!("there must be 2 to {most} alternatives");
-        return Err(fault(message, Span::new(range.start, range.end), kind));
+        return Err(fault(message, sentence.body, kind));
     }
     Ok(found)
 }

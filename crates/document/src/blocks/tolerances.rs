@@ -4,7 +4,6 @@ use crate::expressions::{Expressions, Placed, dimension_error};
 use crate::text::source::trim;
 use model::{Diagnostic, ExpressionKind, Span};
 use program::Tolerance;
-use std::ops::Range;
 use units::{Unit, Words, words};
 
 /// Rules for tolerances in one kind of block, and texts for errors.
@@ -19,13 +18,12 @@ pub struct Form {
     pub bare_is_fraction: bool,
 }
 
-/// Reads the tolerance in `range`, for `value`.
-pub fn read(expressions: &mut Expressions, range: Range<usize>, value: &Placed, form: &Form) -> Option<Tolerance> {
+/// Reads the tolerance at `span`, for `value`.
+pub fn read(expressions: &mut Expressions, span: Span, value: &Placed, form: &Form) -> Option<Tolerance> {
     let source = expressions.source;
-    let span = Span::new(range.start, range.end);
     let percent =
-        source[range.clone()].strip_suffix('%').map(|number| trim(source, range.start..range.start + number.len()));
-    let (expression, _, found) = model::parse_expression(source, percent.clone().unwrap_or(range));
+        source[span.range()].strip_suffix('%').map(|number| trim(source, span.start..span.start + number.len()));
+    let (expression, _, found) = model::parse_expression(source, percent.clone().unwrap_or(span.range()));
     if model::has_errors(&found) {
         expressions.diagnostics.extend(found);
         return None;

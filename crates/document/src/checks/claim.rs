@@ -2,30 +2,30 @@
 
 use super::identity::remark_on_identity;
 use super::tolerance::tolerance;
-use crate::expressions::{Expressions, Placed, dimension_error};
-use crate::text::scan::{find_word, top_level};
+use crate::expressions::{Expressions, Placed, dimension_error, wrong_dimension};
 use crate::text::source::trim;
-use model::{BinaryOperator, Diagnostic, ExpressionKind, Span};
+use model::{BinaryOperator, Diagnostic, ExpressionKind, Phrase, Sentence, Span, Split, lexemes};
 use program::{Claim, Kind, Moment, Relation, Sides, Test};
 use std::ops::Range;
-use units::{Words, words};
+use units::words;
 
 /// First words of a claim about the step.
 const HALVING: [&str; 4] = ["halving", "the", "step", "changes"];
 
-/// Reads the claim in `range`.
-pub fn read(expressions: &mut Expressions, name: String, range: Range<usize>) -> Option<Claim> {
+/// Reads the claim of a sentence.
+pub fn read(expressions: &mut Expressions, name: String, sentence: &Sentence) -> Option<Claim> {
     let source = expressions.source;
-    let halved = after_words(source, range.clone(), &HALVING);
-    let (what, moment) = moment(expressions, range.clone(), halved.is_some())?;
+    let claim = sentence.phrases().next()?;
+    let halved = after_words(source, claim.span().range(), &HALVING);
+    let (what, moment) = moment(expressions, claim, halved.is_some())?;
     let test = match halved {
-        Some(halved) => halved_step(expressions, trim(source, halved..what.end))?,
-        None => match find_word(source, what.clone(), "within") {
-            Some(within) => near(expressions, what, within)?,
-            None => holds(expressions, what)?,
+        Some(halved) => halved_step(expressions, what, halved)?,
+        None => match what.split_last(&["within"]) {
+            Some(within) => near(expressions, within)?,
+            None => holds(expressions, what.span())?,
         },
     };
-    let written = model::spaced(source, range);
+    let written = model::spaced(source, claim.span().range());
     Some(Claim { name, written, test, moment })
 }
 
@@ -43,41 +43,33 @@ fn after_words(source: &str, range: Range<usize>, words: &[&str]) -> Option<usiz
     Some(at)
 }
 
-/// Splits off the moment: `always`, `at end` or `at 5 [s]`. A claim about the step may omit it. Returns the range before
+/// Splits off the moment: `always`, `at end` or `at 5 [s]`. A claim about the step may omit it. Returns the phrase before
 /// it, and the moment.
-fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> Option<(Range<usize>, Moment)> {
+fn moment<'t>(expressions: &mut Expressions, claim: Phrase<'t>, is_step: bool) -> Option<(Phrase<'t>, Moment)> {
     let source = expressions.source;
-    let before = |at: usize| trim(source, range.start..at);
-    if let Some(always) = find_word(source, range.clone(), "always").filter(|always| always.end == range.end) {
-        return Some((before(always.start), Moment::Always));
+    if let Some(always) = claim.split_last(&["always"]).filter(|always| always.after.is_empty()) {
+        return Some((always.before, Moment::Always));
     }
-    let Some(at) = find_word(source, range.clone(), "at") else {
+    let Some(at) = claim.split_last(&["at"]) else {
         if is_step {
-            return Some((range, Moment::End));
+            return Some((claim, Moment::End));
         }
         expressions.diagnostics.push(
-            Diagnostic::error(
-                "check-syntax",
-                words("the claim does not say when it holds"),
-                Span::new(range.start, range.end),
-            )
-            .with_hint(words("end it with `always`, with `at end` or with a time such as `at 5 [s]`")),
+            Diagnostic::error("check-syntax", words("the claim does not say when it holds"), claim.span())
+                .with_hint(words("end it with `always`, with `at end` or with a time such as `at 5 [s]`")),
         );
         return None;
     };
-    let when = trim(source, at.end..range.end);
+    let when = at.after.span().range();
     if &source[when.clone()] == "end" {
-        return Some((before(at.start), Moment::End));
+        return Some((at.before, Moment::End));
     }
     let time = expressions.constant(when, &words("the moment of a claim"))?;
     let independent = expressions.model().independent.unit.clone();
     if time.value.dimension() != independent.dimension {
         let message = words("this is not a moment of the run");
-        let expected = (time.span, independent.dimension);
-        let mut diagnostic = dimension_error(message, (time.span, time.value.dimension()), expected);
-        // Both labels would be at the same place.
-        let expected = diagnostic.labels.pop().map_or_else(|| Words::same(""), |label| label.text);
-        expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
+        let found = time.value.dimension();
+        expressions.diagnostics.push(wrong_dimension(message, time.span, found, independent.dimension));
         return None;
     }
     if expressions.model().graph.as_constant(time.value.node).is_some_and(|time| !(time >= 0.0 && time.is_finite())) {
@@ -85,22 +77,21 @@ fn moment(expressions: &mut Expressions, range: Range<usize>, is_step: bool) -> 
         expressions.error("check-syntax", message, time.span);
         return None;
     }
-    Some((before(at.start), Moment::At(time.value)))
+    Some((at.before, Moment::At(time.value)))
 }
 
-/// Reads `E within 1e-6 of E(0)`, where `within` is the byte range of that word.
-fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>) -> Option<Test> {
-    let source = expressions.source;
-    let rest = within.end..range.end;
-    let Some(of) = first_word(source, rest, "of") else {
+/// Reads `E within 1e-6 of E(0)`, split at `within`.
+fn near(expressions: &mut Expressions, within: Split) -> Option<Test> {
+    let Some(of) = within.after.split_first("of") else {
+        let place = within.keyword.span.to(within.after.span());
         expressions.diagnostics.push(
-            Diagnostic::error("check-syntax", words("within this of what?"), Span::new(within.start, range.end))
+            Diagnostic::error("check-syntax", words("within this of what?"), place)
                 .with_hint(words("write `E within 1 % of E(0) always`")),
         );
         return None;
     };
-    let value = expressions.number(range.start..within.start);
-    let expected = expressions.number(of.end..range.end);
+    let value = expressions.number(within.before.span().range());
+    let expected = expressions.number(of.after.span().range());
     let (value, expected) = (value?, expected?);
     let zero = expressions.model().graph.as_constant(expected.value.node) == Some(0.0);
     let bare_zero = zero && expected.value.dimension().is_none();
@@ -110,41 +101,32 @@ fn near(expressions: &mut Expressions, range: Range<usize>, within: Range<usize>
         expressions.diagnostics.push(dimension_error(message, found, (expected.span, expected.value.dimension())));
         return None;
     }
-    let tolerance = tolerance(expressions, trim(source, within.end..of.start), &value, zero)?;
+    let tolerance = tolerance(expressions, of.before.span(), &value, zero)?;
     warn_if_constant(expressions, &[&value, &expected]);
     remark_on_identity(expressions, &value, &expected);
     Some(Test::Near { value: value.value, expected: expected.value, tolerance })
 }
 
-/// Byte range of the first `word` at the top level.
-fn first_word(source: &str, range: Range<usize>, word: &str) -> Option<Range<usize>> {
-    let mut range = range;
-    let mut first = None;
-    while let Some(found) = find_word(source, range.clone(), word) {
-        range.end = found.start;
-        first = Some(found);
-    }
-    first
-}
-
-/// Reads `halving the step changes` EXPRESSION `by less than` TOLERANCE, from the expression on.
-fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
+/// Reads `halving the step changes` EXPRESSION `by less than` TOLERANCE; the expression begins after byte `start`.
+fn halved_step(expressions: &mut Expressions, claim: Phrase, start: usize) -> Option<Test> {
     let source = expressions.source;
-    let by = find_word(source, range.clone(), "by");
-    let limit = by.clone().and_then(|by| after_words(source, by.start..range.end, &["by", "less", "than"]));
-    let (Some(by), Some(limit)) = (by, limit) else {
+    let whole = trim(source, start..claim.span().end.max(start));
+    let by = claim.split_last(&["by"]);
+    let limit = by.and_then(|by| Some((by, after_words(source, by.after.span().range(), &["less", "than"])?)));
+    let Some((by, limit)) = limit else {
         expressions.diagnostics.push(
             Diagnostic::error(
                 "check-syntax",
                 words("by how much may halving the step change it?"),
-                Span::new(range.start, range.end),
+                Span::new(whole.start, whole.end),
             )
             .with_hint(words("write `halving the step changes y by less than 0.1 %`")),
         );
         return None;
     };
-    let value = expressions.number(range.start..by.start)?;
-    let tolerance = tolerance(expressions, trim(source, limit..range.end), &value, false)?;
+    let value = expressions.number(whole.start..by.keyword.span.start)?;
+    let limit = trim(source, limit..whole.end);
+    let tolerance = tolerance(expressions, Span::new(limit.start, limit.end), &value, false)?;
     if expressions.model().depends(value.value.node).states.is_empty() {
         expressions.diagnostics.push(
             Diagnostic::warning(
@@ -159,21 +141,16 @@ fn halved_step(expressions: &mut Expressions, range: Range<usize>) -> Option<Tes
 }
 
 /// Reads `y < 2 [m]`.
-fn holds(expressions: &mut Expressions, range: Range<usize>) -> Option<Test> {
+fn holds(expressions: &mut Expressions, span: Span) -> Option<Test> {
     let source = expressions.source;
-    if let Some(at) = lone_equals(source, range.clone()) {
+    if let Some(equals) = lexemes(source, span.range()).iter().find(|one| one.text(source) == "=") {
         expressions.diagnostics.push(
-            Diagnostic::error("check-syntax", words("`=` defines, and a claim compares"), Span::new(at, at + 1))
+            Diagnostic::error("check-syntax", words("`=` defines, and a claim compares"), equals.span)
                 .with_hint(words("write `==` for exactly equal, or `E within 1e-6 of E(0)`")),
         );
         return None;
     }
-    let (expression, unit, diagnostics) = model::parse_expression(source, range);
-    let failed = model::has_errors(&diagnostics);
-    expressions.diagnostics.extend(diagnostics);
-    if failed {
-        return None;
-    }
+    let (expression, unit) = expressions.parse(span.range())?;
     let sides = match &expression.kind {
         ExpressionKind::Binary(operator, left, right) => {
             relation(*operator).map(|relation| (relation, left.as_ref().clone(), right.as_ref().clone()))
@@ -205,15 +182,6 @@ fn relation(operator: BinaryOperator) -> Option<Relation> {
         BinaryOperator::NotEqual => Some(Relation::Different),
         _ => None,
     }
-}
-
-/// Byte position of an `=` that is not part of a comparison.
-fn lone_equals(source: &str, range: Range<usize>) -> Option<usize> {
-    let part_of_comparison = |at: usize| {
-        source[range.start..at].ends_with(['=', '<', '>', '!']) || source[at + 1..range.end].starts_with('=')
-    };
-    let mut equals = top_level(source, range.clone()).filter(|(_, letter)| *letter == '=');
-    equals.find(|(at, _)| !part_of_comparison(*at)).map(|(at, _)| at)
 }
 
 /// Warns of a claim about constants, which does not depend on the run.

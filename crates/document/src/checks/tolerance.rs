@@ -5,7 +5,6 @@ use crate::blocks::tolerances::Form;
 use crate::expressions::{Expressions, Placed};
 use model::{Diagnostic, Span};
 use program::Tolerance;
-use std::ops::Range;
 use units::number::shortest;
 use units::words;
 
@@ -16,17 +15,11 @@ const FORM: Form = Form {
     bare_is_fraction: true,
 };
 
-/// Reads the tolerance in `range`, for `value`. `of_zero`: true if the expected value is 0, for which a fraction is
+/// Reads the tolerance at `span`, for `value`. `of_zero`: true if the expected value is 0, for which a fraction is
 /// useless.
-pub fn tolerance(
-    expressions: &mut Expressions,
-    range: Range<usize>,
-    value: &Placed,
-    of_zero: bool,
-) -> Option<Tolerance> {
-    let span = Span::new(range.start, range.end);
-    let is_percent = expressions.source[range.clone()].ends_with('%');
-    let tolerance = tolerances::read(expressions, range, value, &FORM)?;
+pub fn tolerance(expressions: &mut Expressions, span: Span, value: &Placed, of_zero: bool) -> Option<Tolerance> {
+    let is_percent = expressions.source[span.range()].ends_with('%');
+    let tolerance = tolerances::read(expressions, span, value, &FORM)?;
     if of_zero && matches!(tolerance, Tolerance::Relative(_)) {
         let unit = value.value.unit.text.as_str();
         let example = if unit.is_empty() { "abs(x) < 0.001".to_owned() } else { format!("within 0.001 [{unit}] of 0") };

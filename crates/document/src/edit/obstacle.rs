@@ -1,7 +1,7 @@
 //! Reasons why a text does not fit into a cell or an element.
 
 use crate::blocks::questions::key_in;
-use crate::text::scan::find_any_word;
+use model::{lexemes, outside};
 use units::{Words, words};
 
 /// Part of a text that would be parsed as part of the surrounding text.
@@ -20,8 +20,9 @@ pub enum Obstacle {
 impl Obstacle {
     /// First of these marks in the text; `\n` is a line end, and letters are matched as whole words.
     pub(super) fn of(text: &str, marks: &[&str]) -> Self {
+        let words = lexemes(text, 0..text.len());
         let is_in = |mark: &&&str| match mark.chars().all(char::is_alphabetic) {
-            true => find_any_word(text, 0..text.len(), mark).is_some(),
+            true => outside(text, &words).any(|(_, word)| word.text(text) == **mark),
             false => text.contains(**mark),
         };
         if text.is_empty() {

@@ -6,11 +6,11 @@ use super::layout::{Layout, begin_line, line_end, result, with_line_ends_of};
 use super::lines::{exchanged, lines_around};
 use super::obstacle::Obstacle;
 use super::{Edit, EditError};
-use crate::form::{PlotCell, PlotPart, plots};
+use crate::form::{PlotCell, PlotPart, plot_sentences, plots};
+use crate::text::grammar::{HISTOGRAM, POINTS};
 use crate::text::outline::{Outline, read};
-use crate::text::scan::{find_word, split};
 use crate::{BlockKind, assist};
-use model::Span;
+use model::{Phrase, Span};
 
 /// A new plot of quantities against another one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub fn set_plot(outline: &Outline, number: usize, kind: PlotCell, text: &str) ->
     }
     let edit = match kind {
         PlotCell::Title => titled(source, &parts, part, &text),
-        PlotCell::Kind => of_kind(outline, part, &text)?,
+        PlotCell::Kind => of_kind(outline, (number, part), &text)?,
         // An empty cell stands between words and needs a blank.
         PlotCell::Curves if old.is_empty() => Edit { span, text: format!("{text} ") },
         PlotCell::Curves if text.is_empty() => {
@@ -184,42 +184,39 @@ fn titled(source: &str, parts: &[PlotPart], part: &PlotPart, text: &str) -> Edit
     keeping_columns(source, edit, parts.iter().filter(|other| other.block == part.block).filter_map(head))
 }
 
-/// Edit that changes the kind of a plot, from the keyword of the kind to the end.
-fn of_kind(outline: &Outline, part: &PlotPart, kind: &str) -> Result<Edit, EditError> {
-    let (_, old) = part.cell(PlotCell::Kind).ok_or(EditError::UnknownCell)?;
+/// Edit that changes the kind of the plot with this index, from the keyword of the kind to the end.
+fn of_kind(outline: &Outline, (number, part): (usize, &PlotPart), kind: &str) -> Result<Edit, EditError> {
+    let source = outline.source();
+    let (_, sentence) = plot_sentences(outline).nth(number).ok_or(EditError::UnknownCell)?;
     let (curves, _) = part.cell(PlotCell::Curves).ok_or(EditError::UnknownCell)?;
-    let across = part.cell(PlotCell::Across).map(|(across, _)| across).filter(|across| !across.is_empty());
-    let equal = part.cell(PlotCell::Equal).map_or("", |(equal, _)| equal);
+    let (_, old) = part.cell(PlotCell::Kind).ok_or(EditError::UnknownCell)?;
+    let span = Span::new(old.start, sentence.span.end);
+    let written = |phrase: Phrase| &source[phrase.span().range()];
+    if kind == HISTOGRAM {
+        let first =
+            sentence.phrases().next().map(|first| first.split_last(&["against"]).map_or(first, |one| one.before));
+        return Ok(Edit { span, text: format!("{HISTOGRAM} {}", first.map_or("", written)) });
+    }
+    let drawn = sentence.phrases().filter_map(|phrase| phrase.split_last(&["against"])).next_back();
+    let own = part.cell(PlotCell::Across).map(|(across, _)| across);
     let (name, unit) = assist::independent(outline);
-    let end = part.span.end;
-    let text = match (kind, across) {
-        ("histogram", _) => {
-            let first = split(curves, 0..curves.len(), ',').into_iter().next().unwrap_or_default();
-            let end = find_word(curves, first.clone(), "against").map_or(first.end, |against| against.start);
-            format!("histogram {}", curves[first.start..end].trim())
+    let across = own.filter(|across| !across.is_empty()).unwrap_or(&name);
+    let phrase = drawn.filter(|_| own.is_some()).map(|against| against.after);
+    let moments = phrase.and_then(|phrase| phrase.split_last(&["every"]).or_else(|| phrase.split_last(&["at"])));
+    let over_values = phrase.is_some_and(|phrase| phrase.split_last(&["in", "for"]).is_some());
+    let across = match moments {
+        None if kind == POINTS && !over_values => {
+            let unit = if unit.is_empty() { unit } else { format!(" [{unit}]") };
+            format!("{across} every 1{unit}")
         }
-        _ => {
-            let across = across.unwrap_or(&name);
-            let word = |word| find_word(across, 0..across.len(), word);
-            let moments = word("every").or_else(|| word("at"));
-            let across = match (kind, &moments) {
-                ("points", None) if word("in").is_none() && word("for").is_none() => {
-                    let unit = if unit.is_empty() { unit } else { format!(" [{unit}]") };
-                    format!("{across} every 1{unit}")
-                }
-                ("points", _) => across.to_owned(),
-                (_, Some(moments)) => across[..moments.start].trim_end().to_owned(),
-                (_, None) => across.to_owned(),
-            };
-            let has_own =
-                part.cell(PlotCell::Across).is_none() && find_word(curves, 0..curves.len(), "against").is_some();
-            let across = if has_own { String::new() } else { format!(" against {across}") };
-            let word = if kind.is_empty() { String::new() } else { format!("{kind} ") };
-            let equal = if equal.is_empty() { String::new() } else { format!(", {equal}") };
-            format!("{word}{curves}{across}{equal}")
-        }
+        Some(moments) if kind != POINTS => written(moments.before).to_owned(),
+        _ => across.to_owned(),
     };
-    Ok(Edit { span: Span::new(old.start, end), text })
+    let across = if own.is_none() && drawn.is_some() { String::new() } else { format!(" against {across}") };
+    let word = if kind.is_empty() { String::new() } else { format!("{kind} ") };
+    let equal = part.cell(PlotCell::Equal).map_or("", |(equal, _)| equal);
+    let equal = if equal.is_empty() { String::new() } else { format!(", {equal}") };
+    Ok(Edit { span, text: format!("{word}{curves}{across}{equal}") })
 }
 
 /// Cells of a plot without their places, or the whole text if it has no cells.

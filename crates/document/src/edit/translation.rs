@@ -58,9 +58,9 @@ fn short(outline: &Outline, original: &str, text: &str) -> Result<Edit, EditErro
         return Err(EditError::NotOneCell(Obstacle::of(text, &["\n", "\""])));
     }
     if let Some((place, line)) = entry_in(outline, original) {
-        let whole = line.start..source[line.end..].find('\n').map_or(source.len(), |at| line.end + at + 1);
-        let span = if text.is_empty() { whole } else { place };
-        return Ok(Edit { span: Span::new(span.start, span.end), text: text.to_owned() });
+        let end = source[line.end..].find('\n').map_or(source.len(), |at| line.end + at + 1);
+        let span = if text.is_empty() { Span::new(line.start, end) } else { place };
+        return Ok(Edit { span, text: text.to_owned() });
     }
     let entry = format!("\"{original}\" = \"{text}\"");
     let blocks = outline.blocks();

@@ -1,9 +1,7 @@
-//! Cells of a statement that is a row of a form. They are found in the text, so that a cell can have errors while it is
-//! edited.
+//! Cells of a statement that is a row of a form. They are nodes of the syntax tree, which exist while a cell has errors.
 
-use crate::text::scan::{find_any_word, top_level};
 use crate::text::source::{trim, trimmed};
-use model::{ExpressionKind, Span, Statement, StatementKind};
+use model::{ExpressionKind, Grammar, Phrase, Span, Statement, StatementKind, lexemes, sentence};
 use std::ops::Range;
 
 /// Kind of cell.
@@ -76,25 +74,28 @@ pub(super) fn row(source: &str, statement: &Statement) -> Option<(String, Vec<Ce
     if !is_start && word.is_empty() {
         return None;
     }
-    let equals = top_level(source, all.clone()).find(|(_, letter)| *letter == '=')?.0;
+    let equals = begins_lexeme(source, &all, "=")?;
     let name = trim(source, all.start + word.len()..equals);
     let after = equals + 1 + usize::from(source[equals + 1..all.end].starts_with(' '));
-    let rest = after..all.end;
-    let quote = top_level(source, rest.clone()).find(|(_, letter)| *letter == '"').map(|(at, _)| at);
+    let quote = begins_lexeme(source, &(after..all.end), "\"");
     let body = after..quote.unwrap_or(all.end);
+    let clauses: &'static [&'static str] = match word {
+        _ if is_start => &["in"],
+        "parameter" => &["in", "step", "assigned"],
+        "switch" => &[],
+        _ => &["in"],
+    };
+    let written = sentence(source, body.clone(), &Grammar { clauses, is_list: false, ..Grammar::LIST });
+    let phrase = written.phrases().next()?;
     let mut cells = vec![Cell::of(source, CellKind::Name, name.clone(), name)];
     if is_start {
-        cells.extend(of_start(source, &body));
+        cells.extend(of_start(source, &body, phrase));
     } else {
-        let has = match word {
-            "parameter" => Parts { unit: true, range: true, step: true },
-            "switch" => Parts { unit: false, range: false, step: false },
-            _ => Parts { unit: false, range: true, step: false },
-        };
         // The assigned values are edited in the text.
-        let assigned = find_any_word(source, body.clone(), "assigned").filter(|_| word == "parameter");
-        let own = body.start..assigned.map_or(body.end, |word| word.start);
-        cells.extend(of_parameter(source, &own, has));
+        let assigned = phrase.split_last(&["assigned"]);
+        let own = body.start..assigned.map_or(body.end, |assigned| assigned.keyword.span.start);
+        let phrase = assigned.map_or(phrase, |assigned| assigned.before);
+        cells.extend(of_parameter(source, &own, phrase, clauses));
     }
     let end = trimmed_end(source, &body);
     cells.push(match quote {
@@ -124,28 +125,33 @@ fn group_name(source: &str, statement: &Statement) -> Option<Cell> {
     }
 }
 
-/// Optional parts of a kind of parameter.
-struct Parts {
-    unit: bool,
-    range: bool,
-    step: bool,
+/// Byte at which the first lexeme of `range` begins that begins with `mark`.
+fn begins_lexeme(source: &str, range: &Range<usize>, mark: &str) -> Option<usize> {
+    let lexemes = lexemes(source, range.clone());
+    lexemes.iter().find(|lexeme| lexeme.text(source).starts_with(mark)).map(|lexeme| lexeme.span.start)
 }
 
-/// Cells of a parameter: value, unit, range and step.
-fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
-    let words = |word, wanted: bool| find_any_word(source, body.clone(), word).filter(|_| wanted);
-    let (range, step) = (words("in", has.range), words("step", has.step));
+/// Place of the last keyword `word`.
+fn keyword(phrase: Phrase, word: &str) -> Option<Range<usize>> {
+    phrase.split_last(&[word]).map(|split| split.keyword.span.range())
+}
+
+/// Cells of a parameter: value, and as far as it can have them unit, range and step. `clauses`: the keywords of its parts.
+fn of_parameter(source: &str, body: &Range<usize>, phrase: Phrase, clauses: &[&str]) -> Vec<Cell> {
+    let [has_range, has_step] = ["in", "step"].map(|word| clauses.contains(&word));
+    let (range, step) = (keyword(phrase, "in"), keyword(phrase, "step"));
     let first = |after: usize| {
         let starts = [&range, &step].into_iter().flatten().map(|word| word.start).filter(|start| *start >= after);
         starts.min().unwrap_or(body.end)
     };
     let head = body.start..first(body.start);
-    let bracket = top_level(source, head.clone()).find(|(_, letter)| *letter == '[').filter(|_| has.unit);
-    let value = trimmed(source, head.start..bracket.map_or(head.end, |(at, _)| at));
+    // Only a number with a slider has a unit.
+    let bracket = begins_lexeme(source, &head, "[").filter(|_| has_step);
+    let value = trimmed(source, head.start..bracket.unwrap_or(head.end));
     let mut end = value.end;
     let mut cells = vec![Cell::of(source, CellKind::Value, value.clone(), value)];
-    if has.unit {
-        cells.push(unit(source, bracket.map(|(at, _)| at), end, head.end));
+    if has_step {
+        cells.push(unit(source, bracket, end, head.end));
         end = bracket.map_or(end, |_| trimmed_end(source, &head));
     }
     let mut part = |kind, word: Option<Range<usize>>, wanted: bool| {
@@ -163,14 +169,14 @@ fn of_parameter(source: &str, body: &Range<usize>, has: Parts) -> Vec<Cell> {
             None => Cell::of(source, kind, end..end, end..end),
         });
     };
-    part(CellKind::Range, range.clone(), has.range);
-    part(CellKind::Step, step.clone(), has.step);
+    part(CellKind::Range, range.clone(), has_range);
+    part(CellKind::Step, step.clone(), has_step);
     cells
 }
 
 /// Cells of a quantity with an initial value: value and unit.
-fn of_start(source: &str, body: &Range<usize>) -> Vec<Cell> {
-    let stated = find_any_word(source, body.clone(), "in");
+fn of_start(source: &str, body: &Range<usize>, phrase: Phrase) -> Vec<Cell> {
+    let stated = keyword(phrase, "in");
     let value = trimmed(source, body.start..stated.as_ref().map_or(body.end, |word| word.start));
     let bracket = stated.as_ref().and_then(|word| source[word.end..body.end].find('[').map(|at| word.end + at));
     let end = value.end;

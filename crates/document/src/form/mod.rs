@@ -8,6 +8,7 @@ mod section;
 mod shown;
 
 pub use cells::{Cell, CellKind};
+pub(crate) use plots::sentences as plot_sentences;
 pub use plots::{PlotCell, PlotPart, plots};
 pub use proposal::proposal;
 pub use section::Section;

@@ -1,12 +1,10 @@
-//! Form view of the plots of a document. Cells are found in the text, so that a cell can have errors while it is edited.
+//! Form view of the plots of a document. Cells are nodes of the syntax tree, which exist while a cell has errors.
 
 use crate::BlockKind;
-use crate::blocks::plots::{POINTS, begins_with, is_equal_axes};
-use crate::blocks::profiles::HISTOGRAM;
+use crate::text::grammar::HISTOGRAM;
 use crate::text::outline::Outline;
-use crate::text::scan::{find_any_word, leading_text, split, statements};
 use crate::text::source::{trim, trimmed};
-use model::Span;
+use model::{Sentence, Span};
 use std::ops::Range;
 
 /// Kind of cell of a plot.
@@ -53,59 +51,48 @@ impl PlotPart {
 /// Plots of a document, in text order.
 pub fn plots(outline: &Outline) -> Vec<PlotPart> {
     let source = outline.source();
-    let blocks = outline.blocks().iter().enumerate().filter(|(_, block)| block.kind == BlockKind::Plots);
-    let written = blocks.flat_map(|(number, block)| {
-        statements(source, block.content.range()).into_iter().map(move |statement| (number, statement))
-    });
-    let part = |(block, statement): (usize, Range<usize>)| PlotPart {
+    let part = |(block, sentence): (usize, &Sentence)| PlotPart {
         block,
-        span: Span::new(statement.start, statement.end),
-        whole: source[statement.clone()].to_owned(),
-        cells: cells(source, statement).unwrap_or_default(),
+        span: sentence.span,
+        whole: source[sentence.span.range()].to_owned(),
+        cells: cells(source, sentence).unwrap_or_default(),
     };
-    written.map(part).collect()
+    sentences(outline).map(part).collect()
 }
 
-fn cells(source: &str, statement: Range<usize>) -> Option<Vec<(PlotCell, String, Span)>> {
-    let (title, end) = leading_text(source, statement.clone())?;
-    let title_at = statement.start + 1;
-    let after = trim(source, end..statement.end);
-    source[after.clone()].starts_with(':').then_some(())?;
-    let body = trim(source, after.start + 1..after.end);
-    // The range of a blank text is its end.
-    let body = if body.is_empty() { after.end..after.end } else { body };
-    let word = [HISTOGRAM, POINTS].into_iter().find(|word| begins_with(word, &source[body.clone()]));
-    let drawn = trim(source, body.start + word.map_or(0, str::len)..body.end);
-    let mut parts = split(source, drawn.clone(), ',');
-    let equal = parts.pop_if(|part| is_equal_axes(&source[part.clone()])).filter(|_| word != Some(HISTOGRAM));
-    let end = match &equal {
-        Some(equal) => drawn.start + source[drawn.start..equal.start].trim_end().trim_end_matches(',').trim_end().len(),
-        None => drawn.end,
-    };
-    let drawn = drawn.start..end.max(drawn.start);
-    let against = find_any_word(source, drawn.clone(), "against").filter(|_| word != Some(HISTOGRAM));
-    let earlier = against.as_ref().and_then(|against| find_any_word(source, drawn.start..against.start, "against"));
+/// Plots of a document in the syntax tree, each with the index of its block.
+pub(crate) fn sentences<'a>(outline: &'a Outline) -> impl Iterator<Item = (usize, &'a Sentence)> {
+    let blocks = outline.blocks().iter().enumerate().filter(|(_, block)| block.kind == BlockKind::Plots);
+    blocks.flat_map(|(number, block)| block.sentences.iter().map(move |sentence| (number, sentence)))
+}
+
+fn cells(source: &str, sentence: &Sentence) -> Option<Vec<(PlotCell, String, Span)>> {
+    let title = sentence.title.filter(|_| sentence.colon.is_some())?;
+    let body = sentence.body;
+    let kind = sentence.kind.map_or(Span::new(body.start, body.start), |kind| kind.span);
     let mut cells = Vec::new();
-    let mut add = |kind, range: Range<usize>| {
-        cells.push((kind, source[range.clone()].to_owned(), Span::new(range.start, range.end)));
-    };
-    add(PlotCell::Title, title_at..title_at + title.len());
-    add(PlotCell::Kind, body.start..body.start + word.map_or(0, str::len));
-    match against.filter(|_| earlier.is_none()) {
-        Some(against) => {
-            add(PlotCell::Curves, trimmed(source, drawn.start..against.start));
-            let across = trim(source, against.end..drawn.end);
-            add(PlotCell::Across, if across.is_empty() { drawn.end..drawn.end } else { across });
-        }
-        None => {
-            add(PlotCell::Curves, drawn.clone());
-            if earlier.is_none() && word != Some(HISTOGRAM) {
-                add(PlotCell::Across, drawn.end..drawn.end);
-            }
-        }
+    let mut add = |kind, span: Span| cells.push((kind, source[span.range()].to_owned(), span));
+    add(PlotCell::Title, Span::new(title.start + 1, title.end - 1));
+    add(PlotCell::Kind, kind);
+    if sentence.kind.is_some_and(|kind| kind.word == HISTOGRAM) {
+        add(PlotCell::Curves, body);
+        return Some(cells);
     }
-    if word != Some(HISTOGRAM) {
-        add(PlotCell::Equal, equal.map_or(drawn.end..drawn.end, |equal| trim(source, equal)));
+    let drawn = sentence.listed();
+    let spanned = |range: Range<usize>| Span::new(range.start, range.end);
+    let mut abscissas = sentence.phrases().filter_map(|phrase| phrase.split_last(&["against"]));
+    match (abscissas.next_back(), abscissas.next_back()) {
+        (Some(against), None) => {
+            let [before, after] = [drawn.start..against.keyword.span.start, against.keyword.span.end..drawn.end];
+            add(PlotCell::Curves, spanned(trimmed(source, before)));
+            add(PlotCell::Across, spanned(trim(source, after)));
+        }
+        (None, _) => {
+            add(PlotCell::Curves, drawn);
+            add(PlotCell::Across, drawn.after());
+        }
+        _ => add(PlotCell::Curves, drawn),
     }
+    add(PlotCell::Equal, sentence.ending.unwrap_or(drawn.after()));
     Some(cells)
 }

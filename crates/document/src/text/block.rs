@@ -1,6 +1,6 @@
 //! Blocks of a document.
 
-use model::{Span, Statement};
+use model::{Sentence, Span, Statement};
 use std::ops::Range;
 
 /// Kind of a block.
@@ -73,6 +73,8 @@ pub struct Block {
     /// Statements of a model or a table, in text order; see [`model::parse`] for statements with errors. Empty for other
     /// kinds, and if the models of the document are too long to be parsed.
     pub statements: Vec<Statement>,
+    /// Sentences of a block of plots, presets, claims, translations or a survey, in text order. Empty for other kinds.
+    pub sentences: Vec<Sentence>,
 }
 
 /// Fence lines of a block, without their line ends.
@@ -86,7 +88,7 @@ pub struct Fence {
 
 impl Block {
     pub(crate) fn prose(span: Span) -> Self {
-        Self { kind: BlockKind::Prose, span, content: span, fence: None, statements: Vec::new() }
+        Self { kind: BlockKind::Prose, span, content: span, fence: None, statements: Vec::new(), sentences: Vec::new() }
     }
 
     /// Byte range of the statements of the equation language, for a model or a table.

@@ -136,6 +136,7 @@ pub fn split(source: &str, range: Range<usize>, diagnostics: &mut Vec<Diagnostic
             content,
             fence: Some(Fence { opening: span, closing: closing.map(|line| Span::new(line.start, line.end)) }),
             statements: Vec::new(),
+            sentences: Vec::new(),
         });
     }
     if prose < range.end {

@@ -3,6 +3,6 @@
 pub(crate) mod block;
 pub(crate) mod fences;
 pub(crate) mod findings;
+pub(crate) mod grammar;
 pub(crate) mod outline;
-pub(crate) mod scan;
 pub(crate) mod source;

@@ -4,9 +4,10 @@
 use super::block::{Block, BlockKind};
 use super::fences;
 use super::findings::limited;
+use super::grammar;
 use crate::FrontMatter;
 use crate::blocks::front_matter;
-use model::{Diagnostic, Span, Statement};
+use model::{Diagnostic, Span, Statement, sentences};
 use std::ops::Range;
 use units::words;
 
@@ -42,6 +43,10 @@ pub fn read(source: &str) -> Outline<'_> {
     let front_matter = front_matter::read(source, &mut layout);
     let mut blocks = fences::split(source, front_matter.span.end..source.len(), &mut layout);
     let syntax = parse_models(source, &mut blocks);
+    for block in &mut blocks {
+        let grammar = grammar::of_block(block.kind);
+        block.sentences = grammar.map_or_else(Vec::new, |grammar| sentences(source, block.content.range(), grammar));
+    }
     Outline { source, front_matter, blocks, layout, syntax, is_too_long }
 }
 

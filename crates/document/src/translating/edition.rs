@@ -39,7 +39,7 @@ impl File<'_> {
         card::check_translated(&document.source, self.outline.front_matter(), language.span, &mut found);
         let mut texts = Texts::default();
         for block in self.outline.blocks_of(BlockKind::Translations) {
-            texts.read(self.outline.source(), block.content.range());
+            texts.read(self.outline.source(), &block.sentences);
         }
         let mut written = 0;
         let mut surplus = Vec::new();

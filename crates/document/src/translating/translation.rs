@@ -1,11 +1,8 @@
 //! Translations of short texts: lines `"Damping" = "Amortiguamiento"`.
 
 use crate::scene::normalised;
-use crate::text::scan::{leading_text, statements};
-use crate::text::source::trim;
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Sentence, Span, inside};
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
 use units::{nearest, words};
 
 /// Texts and their translations.
@@ -24,11 +21,11 @@ struct Entry {
 }
 
 impl Texts {
-    /// Reads the translations in `range`.
-    pub fn read(&mut self, source: &str, range: Range<usize>) {
-        for statement in statements(source, range) {
-            let span = Span::new(statement.start, statement.end);
-            let Some((original, text)) = entry(source, statement) else {
+    /// Reads translations.
+    pub fn read(&mut self, source: &str, sentences: &[Sentence]) {
+        for sentence in sentences {
+            let span = sentence.span;
+            let Some((original, text)) = entry(source, sentence) else {
                 self.diagnostics.push(
                     Diagnostic::error("translation", words("a translation is a text, `=` and a text"), span)
                         .with_hint(words("write `\"Damping\" = \"Amortiguamiento\"`")),
@@ -42,7 +39,7 @@ impl Texts {
                     .push(Diagnostic::error("translation", message, span).with_label(first.span, words("here first")));
                 continue;
             }
-            self.entries.insert(original, Entry { text: text.to_owned(), span });
+            self.entries.insert(original, Entry { text: inside(source, text).to_owned(), span });
         }
     }
 
@@ -90,14 +87,11 @@ impl Texts {
     }
 }
 
-/// Splits `"original" = "translation"`.
-pub fn entry(source: &str, statement: Range<usize>) -> Option<(&str, &str)> {
-    let (original, end) = leading_text(source, statement.clone())?;
-    let equals = trim(source, end..statement.end);
-    if !source[equals.clone()].starts_with('=') {
-        return None;
-    }
-    let rest = trim(source, equals.start + 1..equals.end);
-    let (text, end) = leading_text(source, rest.clone())?;
-    (end == rest.end && !original.trim().is_empty()).then_some((original, text))
+/// Splits `"original" = "translation"` into the original and the place of the translation, with its quotation marks.
+pub fn entry<'a>(source: &'a str, sentence: &Sentence) -> Option<(&'a str, Span)> {
+    let original = sentence.title_text(source)?;
+    let mut phrases = sentence.phrases();
+    let assigned = phrases.next().filter(|_| sentence.colon.is_none() && phrases.next().is_none())?;
+    let text = assigned.label().filter(|_| &source[assigned.operand.span.range()] == "=")?;
+    Some((original, text))
 }

@@ -4,9 +4,8 @@ use super::key::TextKey;
 use super::translation::entry;
 use crate::blocks::questions;
 use crate::scene::normalised;
-use crate::text::scan::statements;
 use crate::{BlockKind, Outline};
-use std::ops::Range;
+use model::{Span, inside};
 
 /// Keys of the front matter that are translated.
 const FRONT: [&str; 4] = ["title", "summary", "topics", "keywords"];
@@ -27,9 +26,12 @@ pub fn values(outline: &Outline) -> Vec<(TextKey, String)> {
                 pieces += 1;
             }
             BlockKind::Translations => {
-                let lines = statements(source, block.content.range());
-                let entries = lines.into_iter().filter_map(|line| entry(source, line));
-                found.extend(entries.map(|(original, text)| (TextKey::Short(normalised(original)), text.to_owned())));
+                let entries = block.sentences.iter().filter_map(|sentence| entry(source, sentence));
+                found.extend(
+                    entries.map(|(original, text)| {
+                        (TextKey::Short(normalised(original)), inside(source, text).to_owned())
+                    }),
+                );
             }
             BlockKind::Question => {
                 for (key, part) in [
@@ -51,14 +53,12 @@ pub fn values(outline: &Outline) -> Vec<(TextKey, String)> {
     found
 }
 
-/// Byte ranges of a translation: its text without quotation marks, and its whole line.
-pub fn entry_in(outline: &Outline, key: &str) -> Option<(Range<usize>, Range<usize>)> {
-    let source = outline.source();
-    let lines = outline.blocks_of(BlockKind::Translations).flat_map(|block| statements(source, block.content.range()));
-    lines.into_iter().find_map(|line| {
-        let (original, text) = entry(source, line.clone())?;
-        let end = line.end - 1;
-        (normalised(original) == key).then(|| (end - text.len()..end, line))
+/// Places of a translation: its text without quotation marks, and its whole entry.
+pub fn entry_in(outline: &Outline, key: &str) -> Option<(Span, Span)> {
+    let mut sentences = outline.blocks_of(BlockKind::Translations).flat_map(|block| &block.sentences);
+    sentences.find_map(|sentence| {
+        let (original, text) = entry(outline.source(), sentence)?;
+        (normalised(original) == key).then(|| (Span::new(text.start + 1, text.end - 1), sentence.span))
     })
 }
 

@@ -47,6 +47,29 @@ fn plots_are_read_as_cells() {
     }
 }
 
+/// Words of the grammar in titles, labels and names, and cells with errors.
+#[test]
+fn words_of_the_grammar_may_stand_in_titles_and_labels() {
+    use PlotCell::{Across, Curves, Equal, Kind, Title};
+    for (line, kind, curves, across) in [
+        ("\"From x at t, against all\": x \"against, from\" against t", "", "x \"against, from\"", "t"),
+        ("\"A\": at against at every 1 [s]", "", "at", "at every 1 [s]"),
+        ("\"A\": points every against every every 1 [s]", "points", "every", "every every 1 [s]"),
+        ("\"A\": sum(x[i] for i in 1..N) against t", "", "sum(x[i] for i in 1..N)", "t"),
+        ("\"A\": x + against t", "", "x +", "t"),
+        ("\"A\": x, against t", "", "x,", "t"),
+        ("\"A\": against t", "", "", "t"),
+        ("\"A\": x in [m against t", "", "x in [m against t", ""),
+        ("\"A\": # note\n x against t", "", "x", "t"),
+    ] {
+        let text = format!("```plots\n{line}\n```\n");
+        let all = plots(&read(&text));
+        let title = line.split('"').nth(1).unwrap();
+        let expected = [(Title, title), (Kind, kind), (Curves, curves), (Across, across), (Equal, "")];
+        assert_eq!(all.iter().map(cells).collect::<Vec<_>>(), [expected], "{line}");
+    }
+}
+
 #[test]
 fn a_cell_of_a_plot_changes_its_place_alone() {
     use PlotCell::{Across, Curves, Equal, Kind, Text, Title};

@@ -340,6 +340,6 @@ fn strange_character(character: char, span: Span) -> Diagnostic {
 }
 
 /// All blanks except line ends. A carriage return is a blank.
-fn is_blank(c: char) -> bool {
+pub(crate) fn is_blank(c: char) -> bool {
     c != '\n' && (c.is_whitespace() || matches!(c, '\u{200B}' | '\u{FEFF}' | '\u{2060}' | '\u{2062}'))
 }

@@ -12,6 +12,7 @@ mod expressions;
 mod functions;
 mod lowering;
 mod properties;
+mod sentences;
 mod spanish;
 mod syntax_errors;
 mod syntax_properties;

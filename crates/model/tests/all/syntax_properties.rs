@@ -79,7 +79,7 @@ const PIECES: &[&str] = &[
     "1.2.3",
 ];
 
-fn text() -> impl Strategy<Value = String> {
+pub(super) fn text() -> impl Strategy<Value = String> {
     prop_oneof![
         3 => prop::collection::vec(prop::sample::select(PIECES), 0..40).prop_map(|pieces| pieces.concat()),
         1 => "\\PC{0,60}",

@@ -4,11 +4,8 @@ use super::range;
 use crate::blocks::curves;
 use crate::blocks::curves::Placed;
 use crate::expressions::Expressions;
-use crate::text::scan::find_word;
-use crate::text::source::trim;
-use model::{Diagnostic, Expression, ExpressionKind, Span, StatedUnit};
+use model::{Diagnostic, Expression, ExpressionKind, Phrase, Span, StatedUnit};
 use program::{Aggregate, AggregateKind, Taken};
-use std::ops::Range;
 use units::{Unit, words};
 
 /// A curve, and the kind of its values.
@@ -21,7 +18,7 @@ pub(super) struct Drawn {
 
 /// A curve split into its expression and the optional parts after it, which may come in any order.
 struct Written {
-    body: Range<usize>,
+    body: Span,
     label: Option<String>,
     /// `in [cm]`, if another part stands before it. A unit directly after the expression is parsed with it.
     unit: Option<StatedUnit>,
@@ -32,12 +29,8 @@ struct Written {
 }
 
 /// Reads an expression of parameters, of aggregates of a run, or of values at its end.
-pub(super) fn line(
-    expressions: &mut Expressions,
-    range: Range<usize>,
-    aggregates: &mut Vec<Aggregate>,
-) -> Option<Drawn> {
-    let written = written(expressions, range)?;
+pub(super) fn line(expressions: &mut Expressions, phrase: Phrase, aggregates: &mut Vec<Aggregate>) -> Option<Drawn> {
+    let written = written(expressions, phrase)?;
     let (value, unit) = read(expressions, &written)?;
     let from = written.from.map_or(0.0, |(from, _)| from);
     let known = aggregates.len();
@@ -45,8 +38,8 @@ pub(super) fn line(
     let named = match &value.kind {
         ExpressionKind::Call { function, arguments } => (arguments.first())
             .filter(|_| AggregateKind::named(&function.text).is_some())
-            .map_or(written.body.clone(), |argument| argument.span.range()),
-        _ => written.body.clone(),
+            .map_or(written.body, |argument| argument.span),
+        _ => written.body,
     };
     let of_run = of_run(expressions, value, unit.as_ref(), (from, aggregates))?;
     let node = of_run.value.node;
@@ -73,8 +66,8 @@ pub(super) fn line(
 }
 
 /// Reads `x from 60 [s] "Position"`, drawn as points.
-pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Option<Drawn> {
-    let written = written(expressions, range)?;
+pub(super) fn points(expressions: &mut Expressions, phrase: Phrase) -> Option<Drawn> {
+    let written = written(expressions, phrase)?;
     if let Some(place) = written.at_end {
         let message = words("points are drawn of the whole run");
         expressions.diagnostics.push(
@@ -87,45 +80,37 @@ pub(super) fn points(expressions: &mut Expressions, range: Range<usize>) -> Opti
     let value = expressions.place(value, unit.as_ref())?;
     let value = expressions.expect_number(value)?;
     let from = written.from.map_or(0.0, |(from, _)| from);
-    let named = written.body.clone();
-    let curve = curves::placed(expressions, value, written.body, named, written.label);
+    let curve = curves::placed(expressions, value, written.body, written.body, written.label);
     Some(Drawn { curve, taken: Taken::Points(from), from })
 }
 
 /// Splits label, unit, time and `at end` off the end of a curve.
-fn written(expressions: &mut Expressions, range: Range<usize>) -> Option<Written> {
+fn written(expressions: &mut Expressions, phrase: Phrase) -> Option<Written> {
     let source = expressions.source;
-    let (body, label) = curves::labelled(source, range);
+    let (body, label) = (phrase.unlabelled(), curves::label(source, phrase));
     let mut written = Written { body, label, unit: None, from: None, at_end: None };
-    loop {
-        let body = written.body.clone();
-        let word = |word| find_word(source, body.clone(), word);
-        let words = [word("in"), word("from"), word("at")];
-        let Some(last) = words.iter().flatten().max_by_key(|word| word.start).cloned() else { break };
-        let (place, rest) = (Span::new(last.start, body.end), trim(source, last.end..body.end));
-        let before = trim(source, body.start..last.start);
-        match &source[last.clone()] {
+    let mut phrase = phrase;
+    while let Some(last) = phrase.split_last(&["in", "from", "at"]) {
+        let place = last.keyword.span.to(written.body.after());
+        let rest = Span::new(last.after.span().start.min(place.end), place.end);
+        match last.keyword.word {
             "from" if written.from.is_none() => written.from = Some((range::moment(expressions, rest)?, place)),
-            "at" if written.at_end.is_none() && &source[rest.clone()] == "end" => written.at_end = Some(place),
+            "at" if written.at_end.is_none() && &source[rest.range()] == "end" => written.at_end = Some(place),
             // A unit directly after the expression is parsed with it.
-            "in" if written.unit.is_none() && [word("from"), word("at")].iter().any(Option::is_some) => {
+            "in" if written.unit.is_none() && last.before.split_last(&["from", "at"]).is_some() => {
                 written.unit = Some(stated(expressions, rest)?);
             }
             _ => break,
         }
-        written.body = before;
+        phrase = last.before;
+        written.body = phrase.span();
     }
     Some(written)
 }
 
 /// Parses the expression and its unit.
 fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression, Option<StatedUnit>)> {
-    let (value, unit, found) = model::parse_expression(expressions.source, written.body.clone());
-    let failed = model::has_errors(&found);
-    expressions.diagnostics.extend(found);
-    if failed {
-        return None;
-    }
+    let (value, unit) = expressions.parse(written.body.range())?;
     if let (Some(first), Some(second)) = (&unit, &written.unit) {
         let message = words("the unit is stated twice");
         expressions.diagnostics.push(
@@ -139,9 +124,8 @@ fn read(expressions: &mut Expressions, written: &Written) -> Option<(Expression,
 }
 
 /// Parses `[cm]`.
-fn stated(expressions: &mut Expressions, range: Range<usize>) -> Option<StatedUnit> {
-    let text = &expressions.source[range.clone()];
-    let span = Span::new(range.start, range.end);
+fn stated(expressions: &mut Expressions, span: Span) -> Option<StatedUnit> {
+    let text = &expressions.source[span.range()];
     let Some(inner) = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')) else {
         let message = words("a unit in brackets must follow `in`");
         expressions
@@ -152,7 +136,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>) -> Option<StatedUn
     match Unit::parse(inner) {
         Ok(unit) => Some(StatedUnit { unit, span }),
         Err(error) => {
-            expressions.diagnostics.push(Diagnostic::of_unit(error, range.start + 1, span));
+            expressions.diagnostics.push(Diagnostic::of_unit(error, span.start + 1, span));
             None
         }
     }
@@ -178,7 +162,7 @@ fn of_run(
 /// Reports a `from` time of a curve to which it does not apply.
 fn nothing_taken(expressions: &mut Expressions, place: Span, written: &Written) {
     let source = expressions.source;
-    let body = &source[written.body.clone()];
+    let body = &source[written.body.range()];
     let message = words!(
         "`{}` says from when on a run counts, but of these runs only single values are drawn",
         &source[place.range()]

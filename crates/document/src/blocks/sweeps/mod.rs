@@ -7,13 +7,10 @@ mod range;
 use super::curves;
 use super::curves::Placed;
 use crate::expressions::Expressions;
-use crate::text::scan::find_word;
-use crate::text::source::trim;
-use model::{Diagnostic, ExpressionKind, Name, Span};
+use model::{Diagnostic, ExpressionKind, Name, Phrase, Span};
 use program::{Choices, NodeId, Outcomes, Sweep, Taken};
 pub use range::Limits;
 use range::limits;
-use std::ops::Range;
 use units::words;
 
 /// Default numbers of values: of a curve of definitions, and of a curve of runs.
@@ -29,29 +26,24 @@ pub enum Kind {
     Points(Option<NodeId>),
 }
 
-/// `omega in 1..12 [rad/s] step 0.1` as byte ranges: name of the parameter, and its range with the step.
-pub struct Swept {
-    name: Range<usize>,
-    range: Range<usize>,
+/// `omega in 1..12 [rad/s] step 0.1`: name of the parameter, and its range with the step.
+#[derive(Clone, Copy)]
+pub struct Swept<'t> {
+    name: Phrase<'t>,
+    range: Phrase<'t>,
 }
 
 /// The text after `against`, if it is a range of values.
-pub fn find(source: &str, range: Range<usize>) -> Option<Swept> {
-    let word = find_word(source, range.clone(), "in")?;
-    source[word.end..range.end]
-        .contains("..")
-        .then(|| Swept { name: trim(source, range.start..word.start), range: trim(source, word.end..range.end) })
-}
-
-fn span(range: &Range<usize>) -> Span {
-    Span::new(range.start, range.end)
+pub fn find(phrase: Phrase) -> Option<Swept> {
+    let range = phrase.split_last(&["in"])?;
+    range.after.operand.dots.map(|_| Swept { name: range.before, range: range.after })
 }
 
 /// Reads the curves in `parts` over a range of values. `until`: end of the runs (SI).
 pub fn read(
     expressions: &mut Expressions,
-    parts: Vec<Range<usize>>,
-    (swept, kind): (&Swept, Kind),
+    parts: Vec<Phrase>,
+    (swept, kind): (Swept, Kind),
     until: Option<f64>,
 ) -> Option<(Placed, Vec<Placed>, Sweep)> {
     let Values { parameter, is_seed, abscissa, limits } = values(expressions, swept)?;
@@ -72,7 +64,7 @@ pub fn read(
     if is_seed && [limits.low, step].iter().any(|number| number.fract() != 0.0) {
         let message = words("a seed is a whole number");
         expressions.diagnostics.push(
-            Diagnostic::error("sweep", message, span(&swept.range)).with_hint(words("write `seed in 1..60 step 1`")),
+            Diagnostic::error("sweep", message, swept.range.span()).with_hint(words("write `seed in 1..60 step 1`")),
         );
         return None;
     }
@@ -80,11 +72,11 @@ pub fn read(
     let mut sweep = Sweep { parameter, low: limits.low, high: limits.high, step, taken, aggregates, until: 0.0, at };
     if sweep.count() > Sweep::MOST {
         let message = words!("a curve cannot have more than {} values", Sweep::MOST);
-        expressions.error("too-large", message, span(&swept.range));
+        expressions.error("too-large", message, swept.range.span());
         return None;
     }
     if runs {
-        sweep.until = end(expressions, first, until, span(&swept.range))?;
+        sweep.until = end(expressions, first, until, swept.range.span())?;
     }
     Some((abscissa, drawn, sweep))
 }
@@ -100,36 +92,37 @@ struct Values {
 }
 
 /// Reads a parameter and the range of its values.
-fn values(expressions: &mut Expressions, swept: &Swept) -> Option<Values> {
+fn values(expressions: &mut Expressions, swept: Swept) -> Option<Values> {
     let source = expressions.source;
-    let (name, _, found) = model::parse_expression(source, swept.name.clone());
+    let name_span = swept.name.span();
+    let (name, _, found) = model::parse_expression(source, name_span.range());
     let ExpressionKind::Name { name, order: 0 } = name.kind else {
         expressions.diagnostics.extend(found);
-        let message = words!("`{}` is not the name of a parameter", &source[swept.name.clone()]);
-        expressions.error("sweep", message, span(&swept.name));
+        let message = words!("`{}` is not the name of a parameter", &source[name_span.range()]);
+        expressions.error("sweep", message, name_span);
         return None;
     };
-    let parameter = expressions.parameter(&Name { text: name.clone(), span: span(&swept.name) })?;
+    let parameter = expressions.parameter(&Name { text: name.clone(), span: name_span })?;
     let choices = expressions.model().parameters.get(parameter).map(|parameter| &parameter.choices);
     let is_seed = choices == Some(&Choices::Seed);
     if !is_seed && choices != Some(&Choices::Numbers) {
         let message = words!("`{name}` has no range of values: it is a switch or a choice");
-        let diagnostic = Diagnostic::error("sweep", message, span(&swept.name));
+        let diagnostic = Diagnostic::error("sweep", message, name_span);
         expressions.diagnostics.push(diagnostic.with_hint(words("sweep a parameter that is a number")));
         return None;
     }
-    let abscissa = curves::read(expressions, swept.name.clone())?;
-    let limits = limits(expressions, swept.range.clone(), &abscissa.curve.value.unit.clone())?;
+    let abscissa = curves::read(expressions, swept.name)?;
+    let limits = limits(expressions, swept.range, &abscissa.curve.value.unit.clone())?;
     Some(Values { parameter, is_seed, abscissa, limits })
 }
 
 /// Reads `omega in 1..12 [rad/s] step 0.1`: index of the parameter, and its range.
-pub fn parameter_range(expressions: &mut Expressions, swept: &Swept) -> Option<(usize, Limits)> {
+pub fn parameter_range(expressions: &mut Expressions, swept: Swept) -> Option<(usize, Limits)> {
     values(expressions, swept).map(|Values { parameter, limits, .. }| (parameter, limits))
 }
 
 /// Reads numbers that are taken of each of many runs.
-pub fn outcomes(expressions: &mut Expressions, parts: Vec<Range<usize>>) -> Option<Outcomes> {
+pub fn outcomes<'t>(expressions: &mut Expressions, parts: impl Iterator<Item = Phrase<'t>>) -> Option<Outcomes> {
     let mut outcomes = Outcomes::default();
     for part in parts {
         let drawn = drawn::line(expressions, part, &mut outcomes.aggregates)?;

@@ -1,9 +1,8 @@
 //! Range of a sweep and its numbers: `1..12 [rad/s] step 0.1`.
 
-use crate::expressions::{Expressions, dimension_error};
-use crate::text::scan::find_word;
+use crate::expressions::{Expressions, wrong_dimension};
 use crate::text::source::trim;
-use model::{Diagnostic, Span};
+use model::{Diagnostic, Phrase, Span};
 use std::ops::Range;
 use units::{Unit, words};
 
@@ -19,25 +18,25 @@ pub struct Limits {
 }
 
 /// Reads `1..12 [rad/s] step 0.1`. Bare numbers are in the stated unit, or else in `unit`; the result is in SI units.
-pub(super) fn limits(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<Limits> {
+pub(super) fn limits(expressions: &mut Expressions, phrase: Phrase, unit: &Unit) -> Option<Limits> {
     let source = expressions.source;
-    let word = find_word(source, range.clone(), "step");
-    let ends = trim(source, range.start..word.as_ref().map_or(range.end, |word| word.start));
-    let text = &source[ends.clone()];
-    let dots = ends.start + text.find("..")?;
+    let step = phrase.split_last(&["step"]);
+    let before = step.map_or(phrase, |step| step.before);
+    let (ends, dots) = (before.span(), before.operand.dots?);
+    let text = &source[ends.range()];
     let unit = match text.find('[') {
         Some(bracket) => stated(expressions, ends.start + bracket..ends.end, unit)?,
         None => unit.clone(),
     };
-    let upper = dots + 2..text.find('[').map_or(ends.end, |bracket| ends.start + bracket);
-    let low = number(expressions, trim(source, ends.start..dots), &unit)?;
+    let upper = dots.end..text.find('[').map_or(ends.end, |bracket| ends.start + bracket);
+    let low = number(expressions, trim(source, ends.start..dots.start), &unit)?;
     let high = number(expressions, trim(source, upper), &unit)?;
-    let step = match word {
-        Some(word) => Some(number(expressions, trim(source, word.end..range.end), &unit)?),
+    let step = match step {
+        Some(step) => Some(number(expressions, step.after.span().range(), &unit)?),
         None => None,
     };
     if low >= high || step.is_some_and(|step| step <= 0.0) {
-        malformed(expressions, &range);
+        malformed(expressions, &phrase.span().range());
         return None;
     }
     Some(Limits { low, high, step })
@@ -45,22 +44,21 @@ pub(super) fn limits(expressions: &mut Expressions, range: Range<usize>, unit: &
 
 /// Reads `60 [s]`, the time from which a run is evaluated: a non-negative number with the dimension of the independent
 /// variable. Returns the SI value.
-pub(super) fn moment(expressions: &mut Expressions, range: Range<usize>) -> Option<f64> {
+pub(super) fn moment(expressions: &mut Expressions, place: Span) -> Option<f64> {
     let unit = expressions.model().independent.unit.clone();
-    let text = &expressions.source[range.clone()];
+    let text = &expressions.source[place.range()];
     let bracket = text.find('[');
     let value = positive(&text[..bracket.unwrap_or(text.len())], &unit);
     let Some(value) = value else {
         let message = words("the time from which a run counts must be a number, 0 or greater");
         let stated = if unit.text.is_empty() { String::new() } else { format!(" [{unit}]") };
         expressions.diagnostics.push(
-            Diagnostic::error("sweep", message, Span::new(range.start, range.end))
-                .with_hint(words!("write it out, as in `from 60{stated}`")),
+            Diagnostic::error("sweep", message, place).with_hint(words!("write it out, as in `from 60{stated}`")),
         );
         return None;
     };
     match bracket {
-        Some(_) => number(expressions, range, &unit),
+        Some(_) => number(expressions, place.range(), &unit),
         None => Some(value),
     }
 }
@@ -97,10 +95,7 @@ fn stated(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Op
         Ok(found) => {
             let message = words("this unit has the wrong dimension");
             let place = Span::new(range.start, range.end);
-            let mut diagnostic = dimension_error(message, (place, found.dimension), (place, unit.dimension));
-            // Both labels would be at the same place.
-            let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-            expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
+            expressions.diagnostics.push(wrong_dimension(message, place, found.dimension, unit.dimension));
             None
         }
         Err(error) => {

@@ -4,7 +4,7 @@
 use super::super::builder::Builder;
 use super::drawing::{ACCENT, fixed};
 use super::{Drawn, Given};
-use crate::expressions::{Placed, dimension_error};
+use crate::expressions::{Placed, wrong_dimension};
 use program::{Attribute, Compiled, Kind, NodeId, Piece, Trail};
 use units::{Unit, words};
 
@@ -45,10 +45,7 @@ impl Builder<'_, '_> {
             return self.value(placed).map(Some);
         }
         let message = words!("`{name}` has the wrong dimension");
-        let mut diagnostic = dimension_error(message, (placed.span, found), (placed.span, expected));
-        // Both labels would be at the same place.
-        let expected = diagnostic.labels.pop().map(|label| label.text).unwrap_or_default();
-        self.expressions.diagnostics.push(diagnostic.with_note(words!("it must be {expected}")));
+        self.expressions.diagnostics.push(wrong_dimension(message, placed.span, found, expected));
         None
     }
 }

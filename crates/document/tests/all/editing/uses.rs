@@ -100,3 +100,16 @@ fn a_document_is_listed_by_its_blocks() {
     assert!(places.clone().all(|one| one.span.start <= one.named.start && one.named.end <= one.span.end));
     assert_eq!(symbols(&read("# Shopping\n")), []);
 }
+
+#[test]
+fn entries_with_a_title_are_listed_over_all_their_lines() {
+    for (text, expected) in [
+        ("```survey\nrole \"You are\": \"a\", \"b\"\n```\n", vec![("You are", "role \"You are\": \"a\", \"b\"")]),
+        ("```presets\ngroup \"Liquid\"\n\"Oil\": a = 1 # thin\n```\n", vec![("Oil", "\"Oil\": a = 1")]),
+        ("```plots\n\"A\": x against t,\n  y against t\n```\n", vec![("A", "\"A\": x against t,\n  y against t")]),
+    ] {
+        let found = symbols(&read(text));
+        let children = found[0].children.iter().map(|one| (one.name.as_str(), &text[one.span.range()]));
+        assert_eq!(children.collect::<Vec<_>>(), expected);
+    }
+}

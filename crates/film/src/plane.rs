@@ -98,12 +98,29 @@ impl Plane {
 
     /// Grey value at a point (px), by bilinear interpolation between pixel centres.
     pub fn linear(&self, x: f64, y: f64) -> f64 {
-        let (column, right) = parts(x);
         let (row, below) = parts(y);
-        let mix = |pair: [u8; 2]| (1.0 - right) * f64::from(pair[0]) + right * f64::from(pair[1]);
-        let above = mix(self.block::<2, 1>(column, row)[0]);
+        let above = self.mixed(row, parts(x));
         // One row suffices at its centre line, the usual case of an upright tube.
-        if below == 0.0 { above } else { (1.0 - below) * above + below * mix(self.block::<2, 1>(column, row + 1)[0]) }
+        if below == 0.0 { above } else { (1.0 - below) * above + below * self.mixed(row + 1, parts(x)) }
+    }
+
+    /// Grey values at all pairs of coordinates to the right and downwards (px), row by row, as [`Plane::linear`].
+    pub(crate) fn linear_grid<const SIDE: usize>(&self, across: [f64; SIDE], down: [f64; SIDE]) -> [[f64; SIDE]; SIDE] {
+        let columns = across.map(parts);
+        down.map(|y| {
+            let (row, below) = parts(y);
+            columns.map(|column| {
+                let above = self.mixed(row, column);
+                if below == 0.0 { above } else { (1.0 - below) * above + below * self.mixed(row + 1, column) }
+            })
+        })
+    }
+
+    /// Value between two pixels of a row: the first one, and the fraction of the way to the next.
+    fn mixed(&self, row: i64, (column, right): (i64, f64)) -> f64 {
+        let pair = usize::try_from(column).ok().and_then(|column| self.row(row).get(column..)?.first_chunk::<2>());
+        let pair = pair.copied().unwrap_or_else(|| [self.pixel(column, row), self.pixel(column + 1, row)]);
+        (1.0 - right) * f64::from(pair[0]) + right * f64::from(pair[1])
     }
 
     /// Grey values at all pairs of coordinates to the right and downwards (px), row by row, by cubic convolution over the 16 pixels that are
@@ -145,22 +162,6 @@ impl Plane {
     fn row(&self, row: i64) -> &[u8] {
         let row = usize::try_from(row).unwrap_or(0).min(self.height.saturating_sub(1));
         self.grey.get(row * self.width..(row + 1) * self.width).unwrap_or_default()
-    }
-
-    /// Pixels of a block whose first one is (`column`, `row`).
-    fn block<const WIDE: usize, const HIGH: usize>(&self, column: i64, row: i64) -> [[u8; WIDE]; HIGH] {
-        let mut block = [[0; WIDE]; HIGH];
-        let inside = column >= 0 && column as usize + WIDE <= self.width;
-        for (line, at) in block.iter_mut().zip(row..) {
-            let place = usize::try_from(at).ok().filter(|row| inside && *row < self.height);
-            let pixels =
-                place.and_then(|row| self.grey.get(row * self.width + column as usize..)?.first_chunk::<WIDE>());
-            match pixels {
-                Some(pixels) => *line = *pixels,
-                None => line.iter_mut().zip(column..).for_each(|(value, column)| *value = self.pixel(column, at)),
-            }
-        }
-        block
     }
 }
 

@@ -253,12 +253,9 @@ impl Block {
     /// Squared difference at a shift after normalization of mean and contrast, and the sums of products of derivatives
     /// and differences.
     fn compare(&self, plane: &Plane, by: [f64; 2], step: f64) -> (f64, [f64; 5]) {
-        let seen: Vec<f64> = (0..self.values.len())
-            .map(|k| {
-                let (x, y) = ((k % SIDE) as f64 * step, (k / SIDE) as f64 * step);
-                plane.linear(self.place[0] + x + by[0], self.place[1] + y + by[1])
-            })
-            .collect();
+        let places = |k: usize| std::array::from_fn(|at| self.place[k] + at as f64 * step + by[k]);
+        let seen = plane.linear_grid::<SIDE>(places(0), places(1));
+        let seen = seen.as_flattened();
         let mean = seen.iter().sum::<f64>() / seen.len() as f64;
         let norm = seen.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>().sqrt().max(1.0);
         let (mut square, mut sums) = (0.0, [0.0; 5]);

@@ -98,44 +98,70 @@ impl Plane {
 
     /// Grey value at a point (px), by bilinear interpolation between pixel centres.
     pub fn linear(&self, x: f64, y: f64) -> f64 {
-        let (column, right) = parts(x);
         let (row, below) = parts(y);
-        let mix = |pair: [u8; 2]| (1.0 - right) * f64::from(pair[0]) + right * f64::from(pair[1]);
-        let above = mix(self.block::<2, 1>(column, row)[0]);
+        let above = self.mixed(row, parts(x));
         // One row suffices at its centre line, the usual case of an upright tube.
-        if below == 0.0 { above } else { (1.0 - below) * above + below * mix(self.block::<2, 1>(column, row + 1)[0]) }
+        if below == 0.0 { above } else { (1.0 - below) * above + below * self.mixed(row + 1, parts(x)) }
     }
 
-    /// Grey value at a point (px), by cubic convolution over the 16 nearest pixels.
+    /// Grey values at all pairs of coordinates to the right and downwards (px), row by row, as [`Plane::linear`].
+    pub(crate) fn linear_grid<const SIDE: usize>(&self, across: [f64; SIDE], down: [f64; SIDE]) -> [[f64; SIDE]; SIDE] {
+        let columns = across.map(parts);
+        down.map(|y| {
+            let (row, below) = parts(y);
+            columns.map(|column| {
+                let above = self.mixed(row, column);
+                if below == 0.0 { above } else { (1.0 - below) * above + below * self.mixed(row + 1, column) }
+            })
+        })
+    }
+
+    /// Value between two pixels of a row: the first one, and the fraction of the way to the next.
+    fn mixed(&self, row: i64, (column, right): (i64, f64)) -> f64 {
+        let pair = usize::try_from(column).ok().and_then(|column| self.row(row).get(column..)?.first_chunk::<2>());
+        let pair = pair.copied().unwrap_or_else(|| [self.pixel(column, row), self.pixel(column + 1, row)]);
+        (1.0 - right) * f64::from(pair[0]) + right * f64::from(pair[1])
+    }
+
+    /// Grey values at all pairs of coordinates to the right and downwards (px), row by row, by cubic convolution over the 16 pixels that are
+    /// nearest to each. The coordinates should lie close together: all pixels between them are read.
     ///
     /// Keys, *IEEE Trans. Acoust. Speech Signal Process.* 29 (1981) 1153, with a = -1/2.
-    pub fn cubic(&self, x: f64, y: f64) -> f64 {
-        let (column, right) = parts(x);
-        let (row, below) = parts(y);
-        let (across, down) = (keys(right), keys(below));
-        let block: [[u8; 4]; 4] = self.block(column - 1, row - 1);
-        let mut value = 0.0;
-        for (line, weight) in block.iter().zip(down) {
-            let [a, b, c, d] = line.map(f64::from);
-            value += weight * (across[0] * a + across[1] * b + across[2] * c + across[3] * d);
+    pub fn cubic(&self, across: &[f64], down: &[f64]) -> Vec<f64> {
+        let placed = |at: &f64| {
+            let (whole, fraction) = parts(*at);
+            (whole - 1, keys(fraction))
+        };
+        let columns: Vec<(i64, [f64; 4])> = across.iter().map(placed).collect();
+        let rows: Vec<(i64, [f64; 4])> = down.iter().map(placed).collect();
+        let first = rows.iter().map(|row| row.0).min().unwrap_or(0);
+        let end = rows.iter().map(|row| row.0 + 4).max().unwrap_or(0);
+        let width = columns.len();
+        let mut lines = Vec::with_capacity((end - first) as usize * width);
+        for row in first..end {
+            let line = self.row(row);
+            lines.extend(columns.iter().map(|(column, [p, q, r, s])| {
+                let pixels = usize::try_from(*column).ok().and_then(|column| line.get(column..)?.first_chunk::<4>());
+                let pixels =
+                    pixels.copied().unwrap_or_else(|| std::array::from_fn(|k| self.pixel(column + k as i64, row)));
+                let [a, b, c, d] = pixels.map(f64::from);
+                p * a + q * b + r * c + s * d
+            }));
         }
-        value
-    }
-
-    /// Pixels of a block whose first one is (`column`, `row`).
-    fn block<const WIDE: usize, const HIGH: usize>(&self, column: i64, row: i64) -> [[u8; WIDE]; HIGH] {
-        let mut block = [[0; WIDE]; HIGH];
-        let inside = column >= 0 && column as usize + WIDE <= self.width;
-        for (line, at) in block.iter_mut().zip(row..) {
-            let place = usize::try_from(at).ok().filter(|row| inside && *row < self.height);
-            let pixels =
-                place.and_then(|row| self.grey.get(row * self.width + column as usize..)?.first_chunk::<WIDE>());
-            match pixels {
-                Some(pixels) => *line = *pixels,
-                None => line.iter_mut().zip(column..).for_each(|(value, column)| *value = self.pixel(column, at)),
+        let mut values = vec![0.0; width * rows.len()];
+        for ((row, weights), values) in rows.iter().zip(values.chunks_mut(width.max(1))) {
+            let lines = lines[(row - first) as usize * width..].chunks(width.max(1));
+            for (line, weight) in lines.zip(weights) {
+                values.iter_mut().zip(line).for_each(|(value, across)| *value += weight * across);
             }
         }
-        block
+        values
+    }
+
+    /// Grey values of a row; outside the picture, those of the nearest one.
+    fn row(&self, row: i64) -> &[u8] {
+        let row = usize::try_from(row).unwrap_or(0).min(self.height.saturating_sub(1));
+        self.grey.get(row * self.width..(row + 1) * self.width).unwrap_or_default()
     }
 }
 

@@ -179,20 +179,34 @@ impl Backdrop {
     /// Best shift on a grid around another one, px.
     fn search(&self, plane: &Plane, around: [f64; 2]) -> [f64; 2] {
         let reach = (REACH * plane.height() as f64 / self.step).clamp(6.0, 12.0) as i32;
+        let shift =
+            |right: i32, down: i32| [around[0] + self.step * f64::from(right), around[1] + self.step * f64::from(down)];
+        // Prefers the nearest of similar minima, such as the lines of a scale.
+        let factor = |right: i32, down: i32| 1.0 + 0.01 * f64::from(right.abs().max(down.abs()));
+        let staying = self.roughly(plane, shift(0, 0), (factor(0, 0), f64::INFINITY));
         let mut best = (f64::INFINITY, around);
         for down in -reach..=reach {
             for right in -reach..=reach {
-                let by = [around[0] + self.step * f64::from(right), around[1] + self.step * f64::from(down)];
-                let squares = self.blocks.iter().map(|block| block.roughly(plane, by, self.step).min(1.0));
-                let sum: f64 = squares.sum();
-                // Prefers the nearest of similar minima, such as the lines of a scale.
-                let sum = sum * (1.0 + 0.01 * f64::from(right.abs().max(down.abs())));
+                let by = shift(right, down);
+                let sum = self.roughly(plane, by, (factor(right, down), staying.min(best.0)));
                 if sum < best.0 {
                     best = (sum, by);
                 }
             }
         }
         best.1
+    }
+
+    /// Sum of the squared differences of the blocks at a shift (px), each at most 1, times a factor. Infinite if it exceeds `most`.
+    fn roughly(&self, plane: &Plane, by: [f64; 2], (factor, most): (f64, f64)) -> f64 {
+        let mut sum = 0.0;
+        for block in &self.blocks {
+            sum += block.roughly(plane, by, self.step).min(1.0);
+            if sum * factor > most {
+                return f64::INFINITY;
+            }
+        }
+        sum * factor
     }
 
     fn is_common(&self, plane: &Plane, by: [f64; 2]) -> bool {
@@ -239,12 +253,9 @@ impl Block {
     /// Squared difference at a shift after normalization of mean and contrast, and the sums of products of derivatives
     /// and differences.
     fn compare(&self, plane: &Plane, by: [f64; 2], step: f64) -> (f64, [f64; 5]) {
-        let seen: Vec<f64> = (0..self.values.len())
-            .map(|k| {
-                let (x, y) = ((k % SIDE) as f64 * step, (k / SIDE) as f64 * step);
-                plane.linear(self.place[0] + x + by[0], self.place[1] + y + by[1])
-            })
-            .collect();
+        let places = |k: usize| std::array::from_fn(|at| self.place[k] + at as f64 * step + by[k]);
+        let seen = plane.linear_grid::<SIDE>(places(0), places(1));
+        let seen = seen.as_flattened();
         let mean = seen.iter().sum::<f64>() / seen.len() as f64;
         let norm = seen.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>().sqrt().max(1.0);
         let (mut square, mut sums) = (0.0, [0.0; 5]);
@@ -259,13 +270,19 @@ impl Block {
 
     /// Squared difference from a quarter of the samples, without interpolation.
     fn roughly(&self, plane: &Plane, by: [f64; 2], step: f64) -> f64 {
-        let column = |k: usize| (self.place[0] + (k % SIDE) as f64 * step + by[0]) as i64;
-        let row = |k: usize| (self.place[1] + (k / SIDE) as f64 * step + by[1]) as i64;
-        let some = || (0..self.values.len()).filter(|k| k.is_multiple_of(2) && (k / SIDE).is_multiple_of(2));
-        let seen: Vec<f64> = some().map(|k| f64::from(plane.pixel(column(k), row(k)))).collect();
+        let places = |k: usize| -> [i64; SIDE / 2] {
+            std::array::from_fn(|part| (self.place[k] + (2 * part) as f64 * step + by[k]) as i64)
+        };
+        let (columns, rows) = (places(0), places(1));
+        let mut seen = [[0.0; SIDE / 2]; SIDE / 2];
+        for (line, row) in seen.iter_mut().zip(rows) {
+            line.iter_mut().zip(columns).for_each(|(seen, column)| *seen = f64::from(plane.pixel(column, row)));
+        }
+        let seen = seen.as_flattened();
         let mean = seen.iter().sum::<f64>() / seen.len() as f64;
         let norm = seen.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>().sqrt().max(1.0);
-        let differences = some().zip(&seen).map(|(k, seen)| 2.0 * self.values[k][0] - (seen - mean) / norm);
+        let values = self.values.chunks(SIDE).step_by(2).flat_map(|row| row.iter().step_by(2));
+        let differences = values.zip(seen).map(|([value, ..], seen)| 2.0 * value - (seen - mean) / norm);
         differences.map(|difference| difference * difference).sum()
     }
 }

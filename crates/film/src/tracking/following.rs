@@ -273,14 +273,22 @@ impl std::fmt::Debug for Following {
 /// matched first, so that a change of the exposure does not count.
 fn difference(one: &Plane, other: &Plane) -> f64 {
     let step = (one.grey().len() / COMPARED).max(1);
-    let pairs = || one.grey().iter().zip(other.grey()).step_by(step).map(|(a, b)| (f64::from(*a), f64::from(*b)));
-    let [count, sum, other_sum, product, square] =
-        pairs().fold([0.0; 5], |[count, sum, other_sum, product, square], (a, b)| {
-            [count + 1.0, sum + a, other_sum + b, product + a * b, square + b * b]
-        });
+    let pairs = || one.grey().iter().step_by(step).copied().zip(other.grey().iter().step_by(step).copied());
+    // Sums of integers, which are exact.
+    let [count, sum, other_sum, product, square] = pairs()
+        .fold([0_u64; 5], |[count, sum, other_sum, product, square], (a, b)| {
+            let (a, b) = (u64::from(a), u64::from(b));
+            [count + 1, sum + a, other_sum + b, product + a * b, square + b * b]
+        })
+        .map(|sum| sum as f64);
     let count = f64::max(count, 1.0);
     let (mean, other_mean) = (sum / count, other_sum / count);
     let variance = square - other_sum * other_mean;
     let gain = if variance > 0.0 { (product - sum * other_mean) / variance } else { 1.0 };
-    pairs().map(|(a, b)| (a - mean - gain * (b - other_mean)).abs()).sum::<f64>() / count
+    // Four sums do not wait for one another.
+    let mut sums = [0.0; 4];
+    for (at, (a, b)) in pairs().enumerate() {
+        sums[at % 4] += (f64::from(a) - mean - gain * (f64::from(b) - other_mean)).abs();
+    }
+    sums.iter().sum::<f64>() / count
 }

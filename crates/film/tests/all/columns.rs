@@ -122,7 +122,7 @@ fn a_tube_at_an_angle_is_followed_along_its_axis() {
             let grey = (0..HEIGHT).flat_map(|row| (0..WIDTH).map(move |column| (row, column)));
             let turn = |(row, column): (usize, usize)| {
                 let [x, y] = TURN.undo([column as f64 + 0.5, row as f64 + 0.5]);
-                frame.plane.cubic(x, y).round().clamp(0.0, 255.0) as u8
+                frame.plane.cubic(&[x], &[y])[0].round().clamp(0.0, 255.0) as u8
             };
             let plane = Plane::new(WIDTH, HEIGHT, grey.map(turn).collect()).expect("a plane");
             Frame { time: frame.time, plane, seen: TURN.apply(frame.seen), instant: frame.instant }

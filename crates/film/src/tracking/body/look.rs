@@ -24,6 +24,9 @@ const FEW: [usize; 2] = [80, 320];
 /// Number of pixels of the first rejection of a place.
 const FEWEST: usize = 9;
 
+/// Bound of the rounding errors of a score.
+const ROUNDED: f32 = 1e-3;
+
 /// Pixel of a body.
 #[derive(Clone, Copy)]
 struct Spot {
@@ -51,6 +54,9 @@ pub(crate) struct Agreement {
     pub outside: f32,
 }
 
+/// Less than any agreement.
+const NONE: Agreement = Agreement { score: -2.0, best: 1.0, outside: 0.0 };
+
 impl Look {
     /// Appearance of the body in a disc of a frame, px.
     pub(crate) fn new(frame: &Compared<'_>, [x, y]: [f64; 2], radius: f64) -> Look {
@@ -76,23 +82,29 @@ impl Look {
         Look { spots, ring, usual }
     }
 
-    /// Agreement at a pixel, from about `most` pixels of the body.
-    fn agreement(&self, frame: &Compared<'_>, [column, row]: [i64; 2], most: usize) -> Agreement {
+    /// Agreement at a pixel, from about `most` pixels of the body; `None` if its score is certain to lie below `least`.
+    fn agreement(&self, frame: &Compared<'_>, [column, row]: [i64; 2], most: usize, least: f32) -> Option<Agreement> {
         let alike = ALIKE * frame.noise * ALIKE * frame.noise;
+        let unknown = UNKNOWN.max(UNKNOWN_ALIKE * alike);
+        let spots = self.spots.iter().step_by((self.spots.len() / most).max(1));
+        let all = spots.len() as f32;
         let (mut score, mut best, mut count) = (0.0, 0.0, 0.0_f32);
-        for spot in self.spots.iter().step_by((self.spots.len() / most).max(1)) {
+        for spot in spots {
             let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
             let shade = frame.shade(x, y);
             let usual = frame.distance(shade, self.usual[0]).min(frame.distance(shade, self.usual[1]));
             let own = frame.distance(shade, spot.now).min(frame.distance(shade, spot.first));
             let body = own.min(usual + TURNED * alike);
             let behind = frame.still(shade, x, y);
-            let unknown = UNKNOWN.max(UNKNOWN_ALIKE * alike);
             let apart = behind.and_then(|_| frame.still(spot.now, x, y)).unwrap_or(unknown);
             let behind = behind.unwrap_or(unknown);
             score += (behind - body) / (behind + body + alike);
             best += apart / (apart + alike);
             count += 1.0;
+            // A pixel adds less than 1.
+            if score + all - count < (least - ROUNDED) * all {
+                return None;
+            }
         }
         let (mut outside, mut around) = (0.0, 0.0_f32);
         for offset in self.ring.iter().step_by((2 * self.ring.len() / most).max(1)) {
@@ -103,7 +115,8 @@ impl Look {
             around += 1.0;
         }
         let outside = outside / around.max(1.0);
-        Agreement { score: score / count.max(1.0) - OUTLINE * outside, best: best / count.max(1.0), outside }
+        let count = count.max(1.0);
+        Some(Agreement { score: score / count - OUTLINE * outside, best: best / count, outside })
     }
 
     /// Position with the best agreement within about `reach` px of a prediction. Positions near the prediction are
@@ -127,21 +140,27 @@ impl Look {
         (step, most): (i64, usize),
     ) -> ([f64; 2], Agreement) {
         let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
-        let mut found = (around, Agreement { score: -2.0, best: 1.0, outside: 0.0 });
+        let nearness = |[column, row]: [i64; 2]| {
+            let place = [column as f64 + 0.5, row as f64 + 0.5];
+            let far = libm::hypot(place[0] - expected[0], place[1] - expected[1]) / reach.max(1.0);
+            let is_within = far <= 1.3 && frame.holds(place);
+            is_within.then_some(CLOSE * (far * far) as f32)
+        };
+        let mut found = (around, NONE);
         let mut value = f32::NEG_INFINITY;
+        // The first place is the likeliest: places that are certain to agree less are left early.
+        let first = nearness(middle)
+            .and_then(|penalty| Some(self.agreement(frame, middle, most, f32::NEG_INFINITY)?.score - penalty));
+        let mut least = first.unwrap_or(f32::NEG_INFINITY);
         let steps = extent.min(10_000) / step;
         for row in (-steps..=steps).map(|k| middle[1] + k * step) {
             for column in (-steps..=steps).map(|k| middle[0] + k * step) {
-                let inside = |at: i64, size: usize| usize::try_from(at).is_ok_and(|at| at < size);
-                let place = [column as f64 + 0.5, row as f64 + 0.5];
-                let far = libm::hypot(place[0] - expected[0], place[1] - expected[1]) / reach.max(1.0);
-                if far > 1.3 || !inside(column, frame.plane.width()) || !inside(row, frame.plane.height()) {
-                    continue;
-                }
-                let agreement = self.agreement(frame, [column, row], most);
-                let own = agreement.score - CLOSE * (far * far) as f32;
+                let Some(penalty) = nearness([column, row]) else { continue };
+                let Some(agreement) = self.agreement(frame, [column, row], most, least + penalty) else { continue };
+                let own = agreement.score - penalty;
                 if own > value {
-                    (value, found) = (own, (place, agreement));
+                    (value, found) = (own, ([column as f64 + 0.5, row as f64 + 0.5], agreement));
+                    least = least.max(value);
                 }
             }
         }
@@ -162,13 +181,15 @@ impl Look {
 
     /// Agreement at a position, px.
     pub(crate) fn at(&self, frame: &Compared<'_>, place: [f64; 2]) -> Agreement {
-        self.agreement(frame, place.map(|at| at.floor() as i64), FEW[1])
+        let place = place.map(|at| at.floor() as i64);
+        self.agreement(frame, place, FEW[1], f32::NEG_INFINITY).unwrap_or(NONE)
     }
 
     /// Agreement of a place by a coarse comparison; `None` where a few pixels already contradict.
     pub(crate) fn at_once(&self, frame: &Compared<'_>, place: [f64; 2]) -> Option<Agreement> {
         let place = place.map(|at| at.floor() as i64);
-        (self.agreement(frame, place, FEWEST).score > 0.0).then(|| self.agreement(frame, place, FEW[0]))
+        self.agreement(frame, place, FEWEST, 0.0).filter(|few| few.score > 0.0)?;
+        self.agreement(frame, place, FEW[0], f32::NEG_INFINITY)
     }
 
     /// Updates the appearance from a frame.

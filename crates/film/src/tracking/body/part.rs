@@ -58,14 +58,29 @@ impl Part {
         Some(Part { plane: part, corner: [left as f64, top as f64] })
     }
 
-    pub(crate) fn at(&self, x: f64, y: f64) -> f64 {
-        self.plane.cubic(x - self.corner[0], y - self.corner[1])
+    /// Values at whole offsets of at most `reach` px from a point along each coordinate, row by row, all displaced by the same vector (px).
+    fn displaced(&self, [x, y]: [f64; 2], reach: i64, [right, down]: [f64; 2]) -> Vec<f64> {
+        let line = |at: f64, by: f64, corner: f64| -> Vec<f64> {
+            (-reach..=reach).map(|offset| at + offset as f64 + by - corner).collect()
+        };
+        self.plane.cubic(&line(x, right, self.corner[0]), &line(y, down, self.corner[1]))
     }
 
-    /// Value and its derivatives to the right and downwards, per px.
-    pub(crate) fn jet(&self, x: f64, y: f64) -> (f64, [f64; 2]) {
-        let across = self.at(x + 0.5, y) - self.at(x - 0.5, y);
-        let down = self.at(x, y + 0.5) - self.at(x, y - 0.5);
-        (self.at(x, y), [across, down])
+    /// Values at whole offsets of at most `reach` px from a point along each coordinate, row by row.
+    pub(crate) fn values(&self, point: [f64; 2], reach: i64) -> Vec<f64> {
+        self.displaced(point, reach, [0.0; 2])
+    }
+
+    /// The same values with their derivatives to the right and downwards, per px.
+    pub(crate) fn jets(&self, point: [f64; 2], reach: i64) -> Vec<(f64, [f64; 2])> {
+        let at = |right: f64, down: f64| self.displaced(point, reach, [right, down]);
+        let (right, left, below, above) = (at(0.5, 0.0), at(-0.5, 0.0), at(0.0, 0.5), at(0.0, -0.5));
+        let across = right.iter().zip(left).map(|(right, left)| right - left);
+        let down = below.iter().zip(above).map(|(below, above)| below - above);
+        self.values(point, reach)
+            .into_iter()
+            .zip(across.zip(down))
+            .map(|(value, (across, down))| (value, [across, down]))
+            .collect()
     }
 }

@@ -101,9 +101,9 @@ impl Refining {
         if !one.now.settled || gain < 0.3 {
             return;
         }
-        let [x, y] = one.now.position;
+        let jets = one.part.jets(one.now.position, template.reach());
         for (sample, sum) in template.samples.iter().zip(sums) {
-            let (value, gradient) = one.part.jet(x + sample.offset[0], y + sample.offset[1]);
+            let (value, gradient) = jets[sample.place];
             let value = (value - offset) / gain;
             sum.count += 1.0;
             sum.value += value;

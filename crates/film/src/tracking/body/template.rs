@@ -18,6 +18,8 @@ const FEW: usize = 120;
 pub(crate) struct Sample {
     /// Offset from the tracked point, px.
     pub offset: [f64; 2],
+    /// Index of the offset among all of at most [`Template::reach`] px, row by row.
+    pub place: usize,
     pub value: f64,
     /// Derivatives to the right and downwards, per px.
     pub gradient: [f64; 2],
@@ -45,29 +47,38 @@ pub(crate) struct Found {
     pub settled: bool,
 }
 
+/// Maximum offset of a sample along a coordinate, px.
+fn reach(disc: Disc) -> i64 {
+    disc.reach().floor() as i64
+}
+
 impl Template {
     /// Template from the disc near a point, px.
-    pub(crate) fn new(part: &Part, [x, y]: [f64; 2], disc: Disc) -> Template {
-        let reach = disc.reach().floor() as i64;
-        let mut samples = Vec::new();
-        for row in -reach..=reach {
-            for column in -reach..=reach {
-                let offset = [column as f64, row as f64];
+    pub(crate) fn new(part: &Part, point: [f64; 2], disc: Disc) -> Template {
+        let reach = reach(disc);
+        let offsets = (-reach..=reach).flat_map(|row| (-reach..=reach).map(move |column| [column as f64, row as f64]));
+        let jets = offsets.zip(part.jets(point, reach)).enumerate();
+        let samples = jets
+            .filter(|(_, (offset, _))| {
                 let from = [offset[0] - disc.shift[0], offset[1] - disc.shift[1]];
-                if from[0] * from[0] + from[1] * from[1] <= disc.radius * disc.radius {
-                    let (value, gradient) = part.jet(x + offset[0], y + offset[1]);
-                    samples.push(Sample { offset, value, gradient, weight: 1.0 });
-                }
-            }
-        }
+                from[0] * from[0] + from[1] * from[1] <= disc.radius * disc.radius
+            })
+            .map(|(place, (offset, (value, gradient)))| Sample { offset, place, value, gradient, weight: 1.0 })
+            .collect();
         Template { samples, disc }
+    }
+
+    /// Maximum offset of a sample along a coordinate, px.
+    pub(crate) fn reach(&self) -> i64 {
+        reach(self.disc)
     }
 
     /// Updates the template by the fraction `pace` of its deviation from a frame.
     pub(crate) fn follow(&mut self, part: &Part, found: &Found, pace: f64) {
-        let ([x, y], [gain, offset]) = (found.position, found.light);
+        let [gain, offset] = found.light;
+        let jets = part.jets(found.position, self.reach());
         for sample in &mut self.samples {
-            let (value, gradient) = part.jet(x + sample.offset[0], y + sample.offset[1]);
+            let (value, gradient) = jets[sample.place];
             sample.value += pace * ((value - offset) / gain - sample.value);
             sample.gradient = [0, 1].map(|k| sample.gradient[k] + pace * (gradient[k] / gain - sample.gradient[k]));
         }
@@ -135,20 +146,21 @@ impl Template {
     pub(crate) fn align(&self, part: &Part, start: [f64; 2], reach: f64) -> Found {
         let mut found = Found { position: start, score: 0.0, variance: [0.0; 2], light: [1.0, 0.0], settled: false };
         let mean = self.samples.iter().map(|sample| sample.value).sum::<f64>() / self.samples.len() as f64;
+        let terms = |sample: &Sample| [sample.gradient[0], sample.gradient[1], sample.value - mean, 1.0];
+        let mut matrix = [[0.0; 4]; 4];
+        for sample in &self.samples {
+            let terms = terms(sample);
+            for (line, term) in matrix.iter_mut().zip(terms) {
+                line.iter_mut().zip(terms).for_each(|(sum, other)| *sum += sample.weight * term * other);
+            }
+        }
         for _ in 0..STEPS {
-            let mut matrix = [[0.0; 4]; 4];
             let mut side = [0.0; 4];
             let mut squares = 0.0;
+            let values = part.values(found.position, self.reach());
             for sample in &self.samples {
-                let [u, v] = sample.offset;
-                let grey = part.at(found.position[0] + u, found.position[1] + v) - mean;
-                let terms = [sample.gradient[0], sample.gradient[1], sample.value - mean, 1.0];
-                for row in 0..4 {
-                    for column in 0..4 {
-                        matrix[row][column] += sample.weight * terms[row] * terms[column];
-                    }
-                    side[row] += sample.weight * terms[row] * grey;
-                }
+                let grey = values[sample.place] - mean;
+                side.iter_mut().zip(terms(sample)).for_each(|(sum, term)| *sum += sample.weight * term * grey);
                 squares += sample.weight * grey * grey;
             }
             let Some((solution, inverse)) = solve(matrix, side) else { return found };

@@ -36,8 +36,7 @@ impl Sums {
         let window = pattern.window;
         let mut sums = Sums { matrix: [[0.0; 3]; 3], side: [0.0; 3], squares: 0.0 };
         // Relative to the offset, since squares of grey values would lose digits.
-        for row in window.rows(pose.row) {
-            pattern.weights(row as f64 - pose.row, &pose.smear, weights);
+        pattern.rows(pose, weights, |row, weights| {
             pattern.row(row, weights, model);
             for (grey, (value, slope)) in strip.values(window.grid, row, window.bins).zip(model.iter()) {
                 let grey = grey - pose.offset;
@@ -53,7 +52,7 @@ impl Sums {
                 sums.side[2] += grey;
                 sums.squares += grey * grey;
             }
-        }
+        });
         for row in 1..3 {
             for column in 0..row {
                 sums.matrix[row][column] = sums.matrix[column][row];
@@ -109,12 +108,11 @@ pub(crate) fn residuals(pattern: &Pattern, strip: &Strip, pose: &Pose, sums: &mu
     let window = pattern.window;
     let mut weights = Weights::default();
     let mut model = vec![(0.0, 0.0); window.width()];
-    for row in window.rows(pose.row) {
-        pattern.weights(row as f64 - pose.row, &pose.smear, &mut weights);
-        pattern.row(row, &weights, &mut model);
+    pattern.rows(pose, &mut weights, |row, weights| {
+        pattern.row(row, weights, &mut model);
         for (bin, grey) in strip.values(window.grid, row, window.bins).enumerate() {
             let (value, _) = model[bin];
             sums.take(row * window.width() + bin, (grey - pose.offset) / pose.gain - value);
         }
-    }
+    });
 }

@@ -128,28 +128,31 @@ impl Search {
 ///
 /// The cost of a step is proportional to its length, so that a sliding minimum in both directions suffices.
 fn nearest(costs: &[f32], reach: usize, step_cost: f32) -> (Vec<f32>, Vec<u16>) {
-    let mut best = vec![(f32::INFINITY, 0_u16); costs.len()];
+    let rows = costs.len();
+    let (mut best, mut from) = (vec![f32::INFINITY; rows], vec![0_u16; rows]);
+    // Steps and values of the window in ascending order of both, from `first` to `end`.
+    let mut window = vec![(0_usize, 0.0_f32); rows];
     for backward in [false, true] {
-        let mut window = std::collections::VecDeque::new();
-        for step in 0..costs.len() {
-            let row = if backward { costs.len() - 1 - step } else { step };
+        let (mut first, mut end) = (0, 0);
+        for step in 0..rows {
+            let at = |step: usize| if backward { rows - 1 - step } else { step };
+            let row = at(step);
             // Cost relative to a start at the first row, so that differences are costs of steps.
             let entry = costs[row] - step_cost * step as f32;
-            while window.back().is_some_and(|(_, value)| *value > entry) {
-                window.pop_back();
+            while end > first && window[end - 1].1 > entry {
+                end -= 1;
             }
-            window.push_back((step, entry));
-            while window.front().is_some_and(|(old, _)| old + reach < step) {
-                window.pop_front();
+            window[end] = (step, entry);
+            end += 1;
+            while window[first].0 + reach < step {
+                first += 1;
             }
-            if let Some((from, value)) = window.front() {
-                let cost = value + step_cost * step as f32;
-                if cost < best[row].0 {
-                    let from = if backward { costs.len() - 1 - from } else { *from };
-                    best[row] = (cost, from as u16);
-                }
+            let (old, value) = window[first];
+            let cost = value + step_cost * step as f32;
+            if cost < best[row] {
+                (best[row], from[row]) = (cost, at(old) as u16);
             }
         }
     }
-    best.into_iter().unzip()
+    (best, from)
 }

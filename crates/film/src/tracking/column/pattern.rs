@@ -59,6 +59,8 @@ pub(crate) struct Weights {
     pub values: Vec<f64>,
     /// Weights for the derivative.
     pub slopes: Vec<f64>,
+    /// Lowest and highest place of the row among the knots during the exposure.
+    places: (f64, f64),
 }
 
 #[derive(Clone, Debug)]
@@ -87,17 +89,37 @@ impl Pattern {
         }
     }
 
+    /// Calls `act` with each row around the surface and the weights of its knots.
+    pub(crate) fn rows(&self, pose: &Pose, weights: &mut Weights, mut act: impl FnMut(usize, &Weights)) {
+        let last = (self.knots - 4) as f64;
+        for (number, row) in self.window.rows(pose.row).enumerate() {
+            // Knots are as far apart as rows, so that the next row has the same weights at the next knots, except at the ends.
+            let (low, high) = weights.places;
+            if number > 0 && low >= 0.0 && high + 1.0 < last {
+                weights.places = (low + 1.0, high + 1.0);
+                weights.first += 1;
+            } else {
+                self.weights(row as f64 - pose.row, &pose.smear, weights);
+            }
+            act(row, weights);
+        }
+    }
+
     /// Weights of the knots for a row at `distance` rows from the surface.
-    pub(crate) fn weights(&self, distance: f64, smear: &[f64], weights: &mut Weights) {
+    fn weights(&self, distance: f64, smear: &[f64], weights: &mut Weights) {
         weights.values.clear();
         weights.slopes.clear();
         let part = 1.0 / smear.len() as f64;
         // `max` of NaN and a number is the number.
-        let place = |shift: f64| (distance - shift - self.first - 1.0).max(0.0).min((self.knots - 4) as f64);
-        let lowest = smear.iter().map(|shift| place(*shift)).fold(f64::INFINITY, f64::min);
-        weights.first = lowest.floor() as usize;
+        let place = |shift: f64| distance - shift - self.first - 1.0;
+        let inside = |place: f64| place.max(0.0).min((self.knots - 4) as f64);
+        weights.places = smear
+            .iter()
+            .map(|shift| place(*shift))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
+        weights.first = inside(weights.places.0).floor() as usize;
         for shift in smear {
-            let at = place(*shift);
+            let at = inside(place(*shift));
             let knot = at.floor();
             let start = knot as usize - weights.first;
             if weights.values.len() < start + 4 {
@@ -155,22 +177,21 @@ impl Fitting {
         let width = window.width();
         self.gains += pose.gain;
         self.frames += 1.0;
-        for row in window.rows(pose.row) {
-            pattern.weights(row as f64 - pose.row, &pose.smear, &mut self.weights);
-            let (first, weights) = (self.weights.first, &self.weights.values);
+        let (matrix, sides) = (&mut self.matrix, &mut self.sides);
+        pattern.rows(pose, &mut self.weights, |row, Weights { first, values: weights, .. }| {
             for (k, weight) in weights.iter().enumerate() {
                 for (j, other) in weights.iter().enumerate().skip(k) {
-                    self.matrix.add(first + k, first + j, pose.gain * pose.gain * weight * other);
+                    matrix.add(first + k, first + j, pose.gain * pose.gain * weight * other);
                 }
             }
             for (bin, value) in strip.values(window.grid, row, window.bins).enumerate() {
                 let still = pattern.background[row * width + bin];
                 let value = pose.gain * (value - pose.offset - pose.gain * still);
                 for (k, weight) in weights.iter().enumerate() {
-                    self.sides[(first + k) * width + bin] += weight * value;
+                    sides[(first + k) * width + bin] += weight * value;
                 }
             }
-        }
+        });
     }
 
     /// Solves for the coefficients of the pattern. Returns the mean gain of the frames, by which the pattern is

@@ -52,7 +52,8 @@ pub(crate) struct Regions {
 
 /// Sums over the frames for the regions, or for the moving pattern.
 pub(crate) struct Sums {
-    regions: Vec<[f32; 4]>,
+    /// Weights and weighted values of each row while it is above the surface, then while it is below.
+    regions: [Vec<f32>; 4],
     moving: Vec<[f32; 2]>,
     /// Median absolute residual of each frame, for each channel.
     residuals: Vec<Vec<f64>>,
@@ -87,7 +88,7 @@ impl Regions {
 
     pub(crate) fn sums(&self) -> Sums {
         Sums {
-            regions: vec![[0.0; 4]; self.above.len()],
+            regions: std::array::from_fn(|_| vec![0.0; self.above.len()]),
             moving: vec![[0.0; 2]; self.moving.len()],
             residuals: vec![Vec::new(); self.shape.channels],
             spreads: Vec::new(),
@@ -97,46 +98,61 @@ impl Regions {
     }
 
     /// Model of a frame in the rows of a channel.
-    fn modelled(&self, channel: usize, surface: usize) -> impl Iterator<Item = f32> + '_ {
+    fn modelled(&self, channel: usize, surface: usize) -> Vec<f32> {
         let shape = self.shape;
-        let first = channel * shape.rows;
-        (0..shape.rows).map(move |row| {
-            let side = if row < surface { &self.above } else { &self.below };
-            let along = (row + shape.half).checked_sub(surface).filter(|along| *along < shape.window());
-            let moving = along.map_or(0.0, |along| self.moving[channel * shape.window() + along]);
-            side[first + row] + moving
-        })
+        let (first, window) = (channel * shape.rows, channel * shape.window());
+        let split = first + surface.min(shape.rows);
+        let mut model = [&self.above[first..split], &self.below[split..first + shape.rows]].concat();
+        let around = shape.around(surface);
+        let start = window + around.start + shape.half - surface;
+        let moving = &self.moving[start..start + around.len()];
+        model[around].iter_mut().zip(moving).for_each(|(model, moving)| *model += moving);
+        model
+    }
+
+    /// Rows above and below the surface, and the region that they show.
+    fn sides(&self, surface: usize) -> [(std::ops::Range<usize>, &[f32]); 2] {
+        let surface = surface.min(self.shape.rows);
+        [(0..surface, &self.above), (surface..self.shape.rows, &self.below)]
     }
 
     /// Residuals of the first channels relative to the two regions, with the moving pattern subtracted if `moves`.
     pub(crate) fn rest(&self, values: &[f32], surface: usize, channels: usize, moves: bool) -> Vec<f32> {
         let rows = self.shape.rows;
-        let rest = |channel: usize| {
-            let side = move |row: usize| if row < surface { &self.above } else { &self.below };
-            let values = values.get(channel * rows..).unwrap_or_default();
-            self.modelled(channel, surface)
-                .zip(values)
-                .enumerate()
-                .map(move |(row, (model, value))| value - if moves { model } else { side(row)[channel * rows + row] })
-        };
-        (0..channels).flat_map(rest).collect()
+        let mut rest = values[..channels * rows].to_vec();
+        for (channel, rest) in rest.chunks_mut(rows.max(1)).enumerate() {
+            let mut subtract = |range: std::ops::Range<usize>, model: &[f32]| {
+                rest[range].iter_mut().zip(model).for_each(|(value, model)| *value -= model);
+            };
+            if moves {
+                subtract(0..rows, &self.modelled(channel, surface));
+            } else {
+                for (range, side) in self.sides(surface) {
+                    subtract(range.clone(), &side[channel * rows + range.start..]);
+                }
+            }
+        }
+        rest
     }
 
     /// Adds a frame to the sums of the regions.
     pub(crate) fn take_regions(&self, sums: &mut Sums, values: &[f32], surface: usize) {
-        let shape = self.shape;
-        for (channel, first) in shape.starts().enumerate() {
+        let [up, high, down, low] = &mut sums.regions;
+        for (channel, first) in self.shape.starts().enumerate() {
             let scale = self.scale(channel);
-            for (row, model) in self.modelled(channel, surface).enumerate() {
-                let value = values[first + row];
-                let below = row >= surface;
-                let side = if below { self.below[first + row] } else { self.above[first + row] };
-                let far = 1.0 + (value - model) * (value - model) * scale;
-                let weight = 1.0 / (far * far);
-                let sum = &mut sums.regions[first + row];
-                let at = 2 * usize::from(below);
-                sum[at] += weight;
-                sum[at + 1] += weight * (value - (model - side));
+            let model = self.modelled(channel, surface);
+            for ((range, side), (weights, weighted)) in
+                self.sides(surface).into_iter().zip([(&mut *up, &mut *high), (&mut *down, &mut *low)])
+            {
+                let part = first + range.start..first + range.end;
+                let sums = weights[part.clone()].iter_mut().zip(&mut weighted[part.clone()]);
+                let seen = values[part.clone()].iter().zip(&model[range]).zip(&side[part]);
+                for ((sum, product), ((value, model), side)) in sums.zip(seen) {
+                    let far = 1.0 + (value - model) * (value - model) * scale;
+                    let weight = 1.0 / (far * far);
+                    *sum += weight;
+                    *product += weight * (value - (model - side));
+                }
             }
         }
     }
@@ -146,7 +162,8 @@ impl Regions {
         for first in self.shape.starts() {
             let part = first..first + self.shape.rows;
             let (mut product, mut weight) = (0.0, 1e-6);
-            for [up, high, down, low] in &sums.regions[part.clone()] {
+            let at = |at: usize| sums.regions.each_ref().map(|sum| sum[at]);
+            for [up, high, down, low] in part.clone().map(at) {
                 let common = up * down / (up + down).max(1e-6);
                 if common > 0.0 {
                     product += common * (low / down - high / up);
@@ -154,8 +171,8 @@ impl Regions {
                 }
             }
             let step = product / weight;
-            for at in part {
-                let [up, high, down, low] = sums.regions[at];
+            for row in part {
+                let [up, high, down, low] = at(row);
                 let mean = |sum: f32, weight: f32, other: f32, others: f32, step: f32| {
                     if others > 0.0 {
                         (sum + PRIOR * (other / others + step)) / (weight + PRIOR)
@@ -163,8 +180,8 @@ impl Regions {
                         sum / weight.max(1e-6)
                     }
                 };
-                self.above[at] = mean(high, up, low, down, -step);
-                self.below[at] = mean(low, down, high, up, step);
+                self.above[row] = mean(high, up, low, down, -step);
+                self.below[row] = mean(low, down, high, up, step);
             }
         }
     }
@@ -174,7 +191,7 @@ impl Regions {
         let shape = self.shape;
         let mut spread = (0.0, 0.0);
         for (channel, first) in shape.starts().enumerate() {
-            let models = self.modelled(channel, surface).zip(&values[first..]);
+            let models = self.modelled(channel, surface).into_iter().zip(&values[first..]);
             let residuals: Vec<f64> = models.map(|(model, value)| f64::from((value - model).abs())).collect();
             let near = shape.around(surface);
             sums.near[channel][0] += near.len() as f64;
@@ -234,8 +251,8 @@ impl Regions {
                 let side = if along < shape.half { &above } else { &below };
                 // Row of the strip: `surface + along - half`.
                 let (skip, start) = (shape.half.saturating_sub(along), along.saturating_sub(shape.half));
-                let rests = side.get(start..).unwrap_or_default();
-                costs.iter_mut().skip(skip).zip(rests).for_each(|(sum, rest)| *sum += cost(rest - moving));
+                let (sums, rests) = (costs.get_mut(skip..).unwrap_or_default(), side.get(start..).unwrap_or_default());
+                sums.iter_mut().zip(rests).for_each(|(sum, rest)| *sum += cost(rest - moving));
             }
         }
         costs
@@ -246,7 +263,7 @@ impl Regions {
         let around = self.shape.around(surface);
         let (mut sum, mut count) = (0.0, 0.0);
         for (channel, first) in self.shape.starts().enumerate() {
-            let models = self.modelled(channel, surface).zip(&values[first..]);
+            let models = self.modelled(channel, surface).into_iter().zip(&values[first..]);
             let scale = self.scale(channel);
             for (model, value) in models.skip(around.start).take(around.len()) {
                 let far = (value - model) * (value - model) * scale;
@@ -277,7 +294,7 @@ impl Regions {
         let mut sum = 0.0;
         for channel in 0..self.shape.channels {
             let scale = self.scale(channel);
-            let models = self.modelled(channel, surface).zip(self.modelled(channel, other));
+            let models = self.modelled(channel, surface).into_iter().zip(self.modelled(channel, other));
             sum += models
                 .map(|(one, other)| (one - other) * (one - other) * scale)
                 .map(|far| far / (1.0 + far))

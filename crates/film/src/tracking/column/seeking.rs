@@ -227,7 +227,8 @@ impl Seeking {
                     trial.round += 1;
                     trial.sums = trial.regions.sums();
                     self.at = 0;
-                    Stage::Regions(trial)
+                    // Further rounds of a candidate that has come to the best path would repeat it.
+                    if self.is_best(&trial.path) { self.next() } else { Stage::Regions(trial) }
                 }
             },
             Stage::Back(search) => self.back(search, signals),
@@ -255,13 +256,17 @@ impl Seeking {
         }
     }
 
+    /// True if a path does not differ from the best one.
+    fn is_best(&self, path: &[usize]) -> bool {
+        let is_same = |(own, other): (&usize, &usize)| own.abs_diff(*other) <= ELSEWHERE;
+        self.best.as_ref().is_some_and(|best| best.path.iter().zip(path).all(is_same))
+    }
+
     /// Starts with the next candidate that differs from the best one, or searches backwards with the best one.
     fn next(&mut self) -> Stage {
         self.at = 0;
         while let Some(path) = self.starts.pop() {
-            let best = self.best.as_ref().map(|best| &best.path);
-            let is_same = |(own, other): (&usize, &usize)| own.abs_diff(*other) <= ELSEWHERE;
-            if best.is_some_and(|best| best.iter().zip(&path).all(is_same)) {
+            if self.is_best(&path) {
                 continue;
             }
             let regions = Regions::new(self.sought.shape);

@@ -274,44 +274,6 @@ impl Body {
         Ok(())
     }
 
-    /// Makes the template of a key frame. If the previous template finds the body near the click, the same point of the
-    /// body is tracked further.
-    fn begin(&mut self, plane: &Plane, [x, y]: [f64; 2], sighting: Option<Sighting>) -> Result<Sighting, Refusal> {
-        let (wide, high) = (plane.width() as f64, plane.height() as f64);
-        if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
-            return Err(Refusal::Click { x, y });
-        }
-        let given = self.given(high);
-        let disc = match given {
-            Some(disc) => disc,
-            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest(high))),
-        };
-        let near = |one: &Sighting| {
-            let [u, v] = one.found.position;
-            (u - x).abs().max((v - y).abs()) < 0.3 * disc.radius
-        };
-        let continued = sighting.filter(near);
-        let position = continued.as_ref().map_or([x, y], |one| one.found.position);
-        let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
-        let moved = continued.is_some() && self.moved.last() == Some(&true);
-        if continued.is_none() {
-            self.start = Some(Start::new(position, (self.seen.len(), self.templates.len()), self.lost));
-        }
-        let found = self.start(plane, position, disc, background).map_err(|refusal| match given {
-            Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
-            _ => refusal,
-        })?;
-        if let Some(last) = self.moved.last_mut() {
-            *last = moved;
-        }
-        let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
-        if let Some(tracker) = &mut self.tracker {
-            tracker.begin = begin;
-        }
-        let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found, agreement: 1.0, aside, free: true, rival: None })
-    }
-
     /// Finds the body near its predicted position; `None` if nothing there resembles it.
     fn find(&mut self, plane: &Plane, time: f64) -> Option<Sighting> {
         let (tracker, template) = (self.tracker.as_mut()?, self.templates.last()?);

@@ -23,6 +23,8 @@ const ALONE_SMOOTH: f64 = 4.0;
 const ALONE: usize = 10;
 /// Relative way in radii after which a rival that is not seen has passed.
 const PASSED: f64 = 16.0;
+/// What was seen in fewer frames of a meeting may be a pattern of the background.
+const SIGHTINGS: usize = 3;
 /// Number of positions before and after a meeting.
 const SIDE: usize = 8;
 /// Number of positions after a meeting that suffice if another one follows.
@@ -38,6 +40,8 @@ struct Meeting {
     closing: f64,
     /// True once the bodies were so close that they disturb one another's positions, or the other one was not seen.
     together: bool,
+    /// Number of frames of the meeting in which the other body was seen.
+    sightings: usize,
     /// Frames since the other body was seen, and those of them in which nothing touched the body.
     unseen: usize,
     alone: usize,
@@ -114,6 +118,7 @@ impl Rivals {
             self.meeting = Some(Meeting::new(trail, closing, !is_apart));
             return told;
         }
+        meeting.sightings += usize::from(rival.is_some());
         let is_unseen = rival.is_none();
         meeting.unseen = if is_unseen { meeting.unseen + 1 } else { 0 };
         meeting.alone = if is_unseen { meeting.alone + usize::from(free) } else { 0 };
@@ -133,7 +138,11 @@ impl Rivals {
 
     /// Ends the meeting.
     fn tell(&mut self, radius: f64) -> Option<Told> {
-        let told = self.meeting.take()?.told(SMOOTH.0.max(SMOOTH.1 * radius));
+        let meeting = self.meeting.take()?;
+        let told = meeting.told(SMOOTH.0.max(SMOOTH.1 * radius));
+        if told.is_none() && meeting.sightings < SIGHTINGS {
+            return Some(Told::Same(None));
+        }
         self.mistaken = told.is_none();
         told
     }

@@ -22,6 +22,8 @@ const DEVIATION: f64 = 4.0;
 const REST: (usize, f64) = (6, 0.3);
 /// Displacement per frame before a rest, px, from which the rest is doubtful.
 const STOP: f64 = 2.0;
+/// Number of frames from a key frame on whose motion shows that a body was followed that was lost then.
+const SHORTEST: usize = 8;
 /// Extent of a track without motion, px.
 const STILL: f64 = 1.0;
 
@@ -46,7 +48,9 @@ pub(super) fn joined(
     let mut formal = [Vec::new(), Vec::new()];
     let (mut limits, mut widest) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
     let mut unsure = Vec::with_capacity(seen.len());
-    let moved: Vec<bool> = moved.iter().enumerate().map(|(key, moved)| *moved && moves_mostly(seen, key)).collect();
+    let is_long = |key: usize| seen.iter().filter(|one| one.key == key).count() >= SHORTEST || lost.is_none();
+    let moved: Vec<bool> =
+        moved.iter().enumerate().map(|(key, moved)| *moved && is_long(key) && moves_mostly(seen, key)).collect();
     for at in order {
         let (one, camera) = (&seen[at], &cameras[at]);
         let now = one.now;

@@ -127,6 +127,11 @@ impl Look {
         self.scan(frame, (around, reach), place, step, (1, FEW[1]))
     }
 
+    /// Place with the best agreement within `extent` px of another one.
+    pub(super) fn refined(&self, frame: &Compared<'_>, place: [f64; 2], extent: f64) -> [f64; 2] {
+        self.scan(frame, (place, f64::INFINITY), place, extent as i64, (1, FEW[0])).0
+    }
+
     fn radius(&self) -> f64 {
         (self.spots.len() as f64 / std::f64::consts::PI).sqrt()
     }

@@ -6,6 +6,7 @@
 
 mod background;
 mod course;
+mod crossing;
 mod disc;
 mod joining;
 mod look;
@@ -36,7 +37,7 @@ use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Track};
 use joining::joined;
 use refining::{Refining, Seen};
-use rival::Rivals;
+use rival::{Rivals, Told};
 use start::{Shot, Start};
 
 /// Minimum correlation of a template that was found.
@@ -57,6 +58,8 @@ const TOUCH: f32 = 0.2;
 const TOUCHED: usize = 5;
 /// Fraction of the deviation by which the template is updated in each frame.
 const PACE: f64 = 0.2;
+/// Maximum distance from the smooth curve through a meeting, px and relative to the radius, of a position that is certain.
+const NEAR: (f64, f64) = (2.5, 0.1);
 /// Maximum number of frames in which a hidden body is sought.
 const HIDDEN: usize = 10;
 /// Maximum radius of a body relative to the height of the picture, if it is not given.
@@ -115,7 +118,7 @@ struct Sighting {
     agreement: f64,
     aside: bool,
     free: bool,
-    /// The middle of another thing that looks like the body.
+    /// Position of another thing that looks like the body, px.
     rival: Option<[f64; 2]>,
 }
 
@@ -251,11 +254,6 @@ impl Body {
             since.for_each(|one| one.moves = false);
         }
         let alone = tracker.rivals.are_apart();
-        if alone {
-            // The motion has told which body it is.
-            let met = self.seen.iter_mut().rev().take_while(|one| !one.alone && one.key == key);
-            met.for_each(|one| one.alone = true);
-        }
         self.seen.push(Seen { frame, time, key, part, first: found, now: found, agreement, aside, free, moves, alone });
         self.cameras.push(camera);
         (self.refining, self.track) = (None, None);
@@ -274,44 +272,6 @@ impl Body {
         }
         self.last = Some((time, step));
         Ok(())
-    }
-
-    /// Makes the template of a key frame. If the previous template finds the body near the click, the same point of the
-    /// body is tracked further.
-    fn begin(&mut self, plane: &Plane, [x, y]: [f64; 2], sighting: Option<Sighting>) -> Result<Sighting, Refusal> {
-        let (wide, high) = (plane.width() as f64, plane.height() as f64);
-        if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
-            return Err(Refusal::Click { x, y });
-        }
-        let given = self.given(high);
-        let disc = match given {
-            Some(disc) => disc,
-            None => disc::around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest(high))),
-        };
-        let near = |one: &Sighting| {
-            let [u, v] = one.found.position;
-            (u - x).abs().max((v - y).abs()) < 0.3 * disc.radius
-        };
-        let continued = sighting.filter(near);
-        let position = continued.as_ref().map_or([x, y], |one| one.found.position);
-        let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
-        let moved = continued.is_some() && self.moved.last() == Some(&true);
-        if continued.is_none() {
-            self.start = Some(Start::new(position, (self.seen.len(), self.templates.len()), self.lost));
-        }
-        let found = self.start(plane, position, disc, background).map_err(|refusal| match given {
-            Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
-            _ => refusal,
-        })?;
-        if let Some(last) = self.moved.last_mut() {
-            *last = moved;
-        }
-        let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
-        if let Some(tracker) = &mut self.tracker {
-            tracker.begin = begin;
-        }
-        let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found, agreement: 1.0, aside, free: true, rival: None })
     }
 
     /// Finds the body near its predicted position; `None` if nothing there resembles it.
@@ -333,8 +293,27 @@ impl Body {
             found = tracker.find(plane, template, around, PUSHED).map(|one| Sighting { aside: true, ..one });
         }
         if let Some(one) = &found {
-            let rival = one.rival.map(|[x, y]| [x - disc.shift[0], y - disc.shift[1]]);
-            tracker.rivals.take((&trail, time), (one.found.position, disc.outline), rival);
+            let was_apart = tracker.rivals.are_apart();
+            let told = tracker.rivals.take(&trail, ((time, one.found.position), disc.outline), (one.rival, one.free));
+            if was_apart && !tracker.rivals.are_apart() {
+                // The other body has touched this one before it was seen.
+                self.seen.iter_mut().rev().take_while(|one| !one.free).for_each(|one| one.alone = false);
+            }
+            let met = self.seen.iter_mut().skip(tracker.begin).rev().take_while(|one| !one.alone);
+            match told {
+                Some(Told::Same(curve)) => {
+                    let limit = NEAR.0.max(NEAR.1 * disc.outline);
+                    let is_near = |one: &Seen| {
+                        curve.as_ref().map_or(one.free, |curve| curve.off(one.time, one.first.position) < limit)
+                    };
+                    met.filter(|one| is_near(one)).for_each(|one| one.alone = true);
+                }
+                Some(Told::Other(place)) => {
+                    found = tracker.find(plane, template, (place, disc.outline + 2.0), AGREES);
+                    tracker.begin = self.seen.len();
+                }
+                None => {}
+            }
         }
         let outside = ([course.place[0] + disc.shift[0], course.place[1] + disc.shift[1]], disc.radius + reach);
         let (body, uncovered) = match &found {
@@ -414,7 +393,8 @@ impl Tracker {
             return None;
         }
         let free = agreement.outside < self.around + TOUCH;
-        if free {
+        // A body that comes slowly would become part of the appearance.
+        if free && !self.rivals.have_met() {
             self.around = if self.around < 1.0 {
                 self.around + 0.2 * (agreement.outside - self.around)
             } else {
@@ -426,7 +406,14 @@ impl Tracker {
             self.look.follow(&compared, disc.middle(found.position));
         }
         let agreement = f64::from(agreement.score / agreement.best.max(f32::MIN_POSITIVE));
-        let rival = self.look.rival(&compared, disc.middle(found.position), disc.outline);
+        let around = (disc.middle(found.position), disc.outline);
+        let rival = self.look.rival(&compared, around, self.rivals.range(disc.outline));
+        let rival = rival.map(|[x, y]| {
+            let place = [x - disc.shift[0], y - disc.shift[1]];
+            let part = Part::around(plane, place, disc.reach() + MARGIN, self.axis.as_ref());
+            let aligned = part.map(|part| first.align(&part, place, 2.0)).filter(|found| found.score >= CLEAR);
+            aligned.map_or(place, |found| found.position)
+        });
         Some(Sighting { found, agreement, aside: self.hidden > 0, free, rival })
     }
 }

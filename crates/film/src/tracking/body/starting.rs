@@ -2,7 +2,7 @@
 
 use crate::plane::Plane;
 use crate::tracking::body::background::Background;
-use crate::tracking::body::disc::Disc;
+use crate::tracking::body::disc::{Disc, around};
 use crate::tracking::body::look::Look;
 use crate::tracking::body::moving::Moving;
 use crate::tracking::body::part::{Axis, Part};
@@ -29,6 +29,49 @@ impl Body {
         let given = self.settings.radius.filter(|radius| radius.is_finite());
         let [least, greatest] = radii(high);
         given.map(|radius| Disc::of([0.0; 2], radius.clamp(least, greatest)))
+    }
+
+    /// Makes the template of a key frame. If the previous template finds the body near the click, the same point of the
+    /// body is tracked further.
+    pub(super) fn begin(
+        &mut self,
+        plane: &Plane,
+        [x, y]: [f64; 2],
+        sighting: Option<Sighting>,
+    ) -> Result<Sighting, Refusal> {
+        let (wide, high) = (plane.width() as f64, plane.height() as f64);
+        if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
+            return Err(Refusal::Click { x, y });
+        }
+        let given = self.given(high);
+        let disc = match given {
+            Some(disc) => disc,
+            None => around(plane, [x, y], (RADIUS * high).clamp(3.0, greatest(high))),
+        };
+        let near = |one: &Sighting| {
+            let [u, v] = one.found.position;
+            (u - x).abs().max((v - y).abs()) < 0.3 * disc.radius
+        };
+        let continued = sighting.filter(near);
+        let position = continued.as_ref().map_or([x, y], |one| one.found.position);
+        let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
+        let moved = continued.is_some() && self.moved.last() == Some(&true);
+        if continued.is_none() {
+            self.start = Some(Start::new(position, (self.seen.len(), self.templates.len()), self.lost));
+        }
+        let found = self.start(plane, position, disc, background).map_err(|refusal| match given {
+            Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
+            _ => refusal,
+        })?;
+        if let Some(last) = self.moved.last_mut() {
+            *last = moved;
+        }
+        let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
+        if let Some(tracker) = &mut self.tracker {
+            tracker.begin = begin;
+        }
+        let aside = continued.is_some_and(|one| one.aside);
+        Ok(Sighting { found, agreement: 1.0, aside, free: true, rival: None })
     }
 
     /// Makes the template of the body at a position, px.

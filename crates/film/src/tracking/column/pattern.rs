@@ -95,7 +95,7 @@ impl Pattern {
         for (number, row) in self.window.rows(pose.row).enumerate() {
             // Knots are as far apart as rows, so that the next row has the same weights at the next knots, except at the ends.
             let (low, high) = weights.places;
-            if number > 0 && low >= 0.0 && high + 1.0 < last {
+            if number > 0 && low >= 0.0 && low <= high && high + 1.0 < last {
                 weights.places = (low + 1.0, high + 1.0);
                 weights.first += 1;
             } else {

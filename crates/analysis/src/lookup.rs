@@ -65,11 +65,18 @@ impl Table {
         Err(LookupError::Unknown)
     }
 
-    /// Text that selects only this column: its label, or `#` with its number.
+    /// Text that selects only this column: its label if it is one word, or `#` with its number, or else the label with its blanks,
+    /// because runs that follow one another in a file have the same numbers.
     pub fn typed(&self, index: usize) -> String {
         let label = self.label(index);
-        let plain = label.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.'));
-        if plain && self.column(&label) == Ok(index) { label } else { format!("#{}", self.number(index)) }
+        let number = format!("#{}", self.number(index));
+        let is_word = label.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.'));
+        let selects = |text: &String| self.column(text) == Ok(index);
+        match is_word {
+            true if selects(&label) => label,
+            _ if !selects(&number) && selects(&label) => label,
+            _ => number,
+        }
     }
 
     /// Columns whose name, or body and name, is `which`.

@@ -291,6 +291,16 @@ fn a_name_that_is_another_column_s_number_is_refused() {
 }
 
 #[test]
+fn columns_of_runs_that_share_a_number_are_told_apart_by_their_names() {
+    // Two runs below one another, with odd headings: found by fuzzing.
+    let text = b"2\n'\t\n0\n0\xff\n2\t 2\n0\xff\n' \n0 20 ";
+    let table = import::text(text).expect("a table").table;
+    for index in 0..table.columns.len() {
+        assert_eq!(table.column(&table.typed(index)), Ok(index), "{}", table.typed(index));
+    }
+}
+
+#[test]
 fn names_are_matched_as_they_are_before_capitals_and_units_are_left_out() {
     for (heads, which, expected) in [
         ("t (h),T (blips)", "T", Ok(1)),

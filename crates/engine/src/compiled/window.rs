@@ -28,7 +28,7 @@ pub(crate) struct Window {
     uncounted: u64,
 }
 
-/// What the taking of a row or step adds to the counters.
+/// Amounts that a row or step, when it is taken, adds to the counters.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Taken {
     /// Attempts of steps.

@@ -13,7 +13,7 @@ const ROWS: usize = 64;
 const NUMBERS: usize = 4096;
 
 impl Surfaces {
-    /// What compiled code checks, in the order of [`WindowListing::formulas`]; `None` for what does not exist.
+    /// Conditions that compiled code checks, in the order of [`WindowListing::formulas`]; `None` for one that does not exist.
     fn routines(&self) -> [Option<&Routine>; 5] {
         let [values, slopes] = self.looks.as_ref().map_or([None; 2], |looks| looks.routines().map(Some));
         [Some(self.events.conditions()), self.switches.truths(), self.timetable.even(), values, slopes]

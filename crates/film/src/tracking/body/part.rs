@@ -71,7 +71,7 @@ impl Part {
         self.displaced(point, reach, [0.0; 2])
     }
 
-    /// The same values with their derivatives to the right and downwards, per px.
+    /// Values at the same places, with their derivatives to the right and downwards, per px.
     pub(crate) fn jets(&self, point: [f64; 2], reach: i64) -> Vec<(f64, [f64; 2])> {
         let at = |right: f64, down: f64| self.displaced(point, reach, [right, down]);
         let (right, left, below, above) = (at(0.5, 0.0), at(-0.5, 0.0), at(0.0, 0.5), at(0.0, -0.5));

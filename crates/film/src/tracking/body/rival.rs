@@ -23,7 +23,7 @@ const ALONE_SMOOTH: f64 = 4.0;
 const ALONE: usize = 10;
 /// Relative way in radii after which a rival that is not seen has passed.
 const PASSED: f64 = 16.0;
-/// What was seen in fewer frames of a meeting may be a pattern of the background.
+/// A thing that was seen in fewer frames of a meeting may be a pattern of the background.
 const SIGHTINGS: usize = 3;
 /// Number of positions before and after a meeting.
 const SIDE: usize = 8;
@@ -47,7 +47,7 @@ struct Meeting {
     alone: usize,
 }
 
-/// What the motion shows after a meeting.
+/// The body that the motion shows after a meeting.
 pub(super) enum Told {
     /// The same body is followed, along this curve if the bodies were apart before.
     Same(Option<Curve>),
@@ -205,7 +205,7 @@ impl Look {
 mod tests {
     use super::*;
 
-    /// What the motion shows of two bodies that meet and turn back without passing one another. `exchanged`: the positions go on with the
+    /// The body that the motion shows where two bodies meet and turn back without passing one another. `exchanged`: the positions go on with the
     /// other body.
     fn told(radius: f64, bend: f64, exchanged: bool) -> (bool, Option<bool>) {
         let mut rivals = Rivals::default();

@@ -71,12 +71,8 @@ impl Table {
         let label = self.label(index);
         let number = format!("#{}", self.number(index));
         let is_word = label.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.'));
-        let selects = |text: &String| self.column(text) == Ok(index);
-        match is_word {
-            true if selects(&label) => label,
-            _ if !selects(&number) && selects(&label) => label,
-            _ => number,
-        }
+        let selects = |text: &str| self.column(text) == Ok(index);
+        if selects(&label) && (is_word || !selects(&number)) { label } else { number }
     }
 
     /// Columns whose name, or body and name, is `which`.

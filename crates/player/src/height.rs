@@ -1,10 +1,10 @@
 //! Reports the height of the page to the surrounding page: `{ meniscus: { height } }`, in CSS pixels.
 
-use js_sys::{Object, Reflect};
+use crate::surrounding::say;
 use std::cell::Cell;
 use view::views::{document, window};
+use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
-use wasm_bindgen::{JsCast, JsValue};
 use web_sys::ResizeObserver;
 
 /// Makes the page as high as its content and reports its height on every change.
@@ -15,22 +15,14 @@ pub fn tell() {
     let content = body.clone();
     let changed = Closure::<dyn FnMut()>::new(move || {
         let height = content.get_bounding_client_rect().height().ceil();
-        if told.replace(height) != height {
-            post(height);
+        if told.replace(height) != height
+            && let Ok(Some(parent)) = window().parent()
+        {
+            say(&parent, "height", &height.into());
         }
     });
     if let Ok(observer) = ResizeObserver::new(changed.as_ref().unchecked_ref()) {
         observer.observe(&body);
     }
     changed.forget();
-}
-
-/// Sends the height to any surrounding page: it is not confidential.
-fn post(height: f64) {
-    let (message, inner) = (Object::new(), Object::new());
-    let _ = Reflect::set(&inner, &"height".into(), &height.into());
-    let _ = Reflect::set(&message, &"meniscus".into(), &inner);
-    if let Ok(Some(parent)) = window().parent() {
-        let _ = parent.post_message(&JsValue::from(message), "*");
-    }
 }

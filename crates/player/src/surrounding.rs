@@ -1,6 +1,6 @@
 //! Parameters in both directions between this page and a page around it, such as a notebook, by messages of the browser:
-//! `{ meniscus: { parameters: { b: 250 } } }`, numbers in declared units, and words of choices. This page answers each message with all its values, and
-//! afterwards tells each change. A page around it that says nothing hears nothing.
+//! `{ meniscus: { parameters: { b: 250 } } }`, numbers in declared units, and words of choices. This page answers each message with
+//! all its values, and afterwards tells each change. A page around it that says nothing hears nothing of them.
 
 use js_sys::{Object, Reflect};
 use program::Parameter;
@@ -62,9 +62,9 @@ fn set(app: App, wanted: &JsValue) {
     }
 }
 
-/// Sends the values of all parameters. None of them is a secret.
+/// Sends the values of all parameters.
 fn tell(app: App, parent: &Window) {
-    let (message, said, values) = (Object::new(), Object::new(), Object::new());
+    let values = Object::new();
     app.read(|play| {
         let model = play.model();
         let all = model.parameters.iter().zip(play.course().parameters());
@@ -76,7 +76,13 @@ fn tell(app: App, parent: &Window) {
             let _ = Reflect::set(&values, &parameter.name.as_str().into(), &value);
         }
     });
-    let _ = Reflect::set(&said, &"parameters".into(), &values);
+    say(parent, "parameters", &values);
+}
+
+/// Sends `{ meniscus: { name: value } }` to a page around this one, whoever it is: nothing in it may be confidential.
+pub fn say(parent: &Window, name: &str, value: &JsValue) {
+    let (message, said) = (Object::new(), Object::new());
+    let _ = Reflect::set(&said, &name.into(), value);
     let _ = Reflect::set(&message, &"meniscus".into(), &said);
     let _ = parent.post_message(&message, "*");
 }

@@ -49,7 +49,7 @@ struct Meeting {
 
 /// The body that the motion shows after a meeting.
 pub(super) enum Told {
-    /// The same body is followed, along this curve if the bodies were apart before.
+    /// It is the body that was followed before, along this curve if the bodies were apart then.
     Same(Option<Curve>),
     /// The body that was followed is at this place, px.
     Other([f64; 2]),

@@ -58,6 +58,22 @@ visit("a long record can be given up, and another one read", async (lab) => {
   assert.equal(await page.locator(".record").count(), 1);
 });
 
+visit("a record can be given up before the browser has fetched its bytes", async (lab) => {
+  const { page } = lab;
+  await page.evaluate(() => {
+    const button = () => document.getElementById("cancel-reading");
+    new MutationObserver((_, observer) => {
+      if (button()) {
+        observer.disconnect();
+        button().click();
+      }
+    }).observe(document.body, { childList: true, subtree: true });
+  });
+  await dropRows(lab, "long.txt", 300_000);
+  await eventually(async () => assert.equal(await page.locator("#spoken").textContent(), "Not read: long.txt"));
+  assert.equal(await page.locator(".record").count(), 0);
+});
+
 visit("workbooks are read by the page as by the program", async (lab) => {
   const { page } = lab;
   for (const [name, bytes] of [["film.xlsx", xlsx()], ["film.ods", ods()], ["old.xls", xls()]]) {

@@ -237,10 +237,10 @@ impl Records {
         (id, Changes::RECORDS.announcing(Announcement::RecordAdded(name)))
     }
 
-    /// Cancels the file that is being read.
-    pub fn cancel(&mut self) -> Changes {
-        let cancelled = self.intake.take().map(|Intake { name, .. }| Announcement::RecordCancelled(name));
-        cancelled.map_or(Changes::NONE, |cancelled| Changes::NONE.announcing(cancelled))
+    /// Cancels the file `name` that is being read, also while the browser still fetches its bytes.
+    pub fn cancel(&mut self, name: &str) -> Changes {
+        self.intake = None;
+        Changes::NONE.announcing(Announcement::RecordCancelled(name.to_owned()))
     }
 }
 

@@ -51,7 +51,7 @@ fn a_file_that_is_given_up_leaves_nothing() {
     let mut desk = utube();
     desk.change_records(|records, open| records.begin(open, "film", TABLE.as_bytes().to_vec())).unwrap();
     desk.advance_record(1).unwrap();
-    desk.change_records(|records, _| records.cancel());
+    desk.change_records(|records, _| records.cancel("film"));
     assert_eq!((desk.records().progress(), desk.records().list().len()), (None, 0));
     assert_eq!(desk.take_announcement(), Some(Announcement::RecordCancelled("film".to_owned())));
     assert_eq!(desk.advance_record(1), Ok(None));

@@ -29,8 +29,9 @@ fn bar(app: App, name: &str) -> View {
         let part = app.record_progress.with(|now| now.as_ref().map_or(0.0, |now| now.part));
         (100.0 * part).floor().to_string()
     };
+    let name = name.to_owned();
     let cancel = move |_| {
-        app.act_on_desk(|desk| desk.change_records(|records, _| records.cancel()));
+        app.act_on_desk(|desk| desk.change_records(|records, _| records.cancel(&name)));
         app.record_progress.set(None);
         browser::focus("choose-record");
     };

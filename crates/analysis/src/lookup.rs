@@ -25,8 +25,8 @@ impl fmt::Display for LookupError {
 impl std::error::Error for LookupError {}
 
 impl Table {
-    /// Index of the column that `which` means: by name (`y`), body and name (`mass_A.y`), whole heading (`time_ms`) or
-    /// number in the file, from 1 (`2` or `#2`). Case and a unit after the name may differ if only one name matches. If
+    /// Index of the column that `which` means: by name (`y`), body and name (`mass_A.y`), whole heading (`time_ms`),
+    /// number in the file, from 1 (`2` or `#2`), or body and number (`Run 2.#2`). Case and a unit after the name may differ if only one name matches. If
     /// several bodies have a column of this name, that of the first is returned.
     ///
     /// # Errors
@@ -40,6 +40,15 @@ impl Table {
         let same = |name: &str, wanted: &str| name == wanted;
         let alike = |name: &str, wanted: &str| name.to_lowercase() == wanted.to_lowercase();
         let headed = |index: &usize| self.columns.get(*index).is_some_and(|column| column.origin.heading == which);
+        let numbered_in_body: Vec<usize> = (0..self.columns.len())
+            .filter(|index| {
+                let body = self.columns.get(*index).and_then(|column| column.body.as_deref());
+                body.is_some_and(|body| is_in_body(which, body, &format!("#{}", self.number(*index)), &same))
+            })
+            .collect();
+        if !numbered_in_body.is_empty() {
+            return self.one(numbered_in_body);
+        }
         let mut named = self.named(which, &same);
         if let Some(number) = which.strip_prefix('#').or(Some(which)).and_then(|digits| digits.parse::<usize>().ok()) {
             let numbered = (0..self.columns.len()).find(|index| self.number(*index) == number);
@@ -65,14 +74,20 @@ impl Table {
         Err(LookupError::Unknown)
     }
 
-    /// Text that selects only this column: its label if it is one word, or `#` with its number, or else the label with its blanks,
-    /// because runs that follow one another in a file have the same numbers.
+    /// Text that selects only this column: its label if it is one word, or `#` with its number; for runs that follow one
+    /// another in a file, whose columns have the same numbers, with the name of the run: `Run 2.#3`.
     pub fn typed(&self, index: usize) -> String {
         let label = self.label(index);
         let number = format!("#{}", self.number(index));
         let is_word = label.chars().all(|letter| letter.is_alphanumeric() || matches!(letter, '_' | '.'));
         let selects = |text: &str| self.column(text) == Ok(index);
-        if selects(&label) && (is_word || !selects(&number)) { label } else { number }
+        if is_word && selects(&label) {
+            return label;
+        }
+        match self.columns.get(index).and_then(|column| column.body.as_ref()).filter(|_| !selects(&number)) {
+            Some(body) => format!("{body}.{number}"),
+            None => number,
+        }
     }
 
     /// Columns whose name, or body and name, is `which`.

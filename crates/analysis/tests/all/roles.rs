@@ -291,12 +291,17 @@ fn a_name_that_is_another_column_s_number_is_refused() {
 }
 
 #[test]
-fn columns_of_runs_that_share_a_number_are_told_apart_by_their_names() {
-    // Two runs below one another, with odd headings: found by fuzzing.
-    let text = b"2\n'\t\n0\n0\xff\n2\t 2\n0\xff\n' \n0 20 ";
-    let table = import::text(text).expect("a table").table;
-    for index in 0..table.columns.len() {
-        assert_eq!(table.column(&table.typed(index)), Ok(index), "{}", table.typed(index));
+fn columns_of_runs_that_share_a_number_are_told_apart_by_the_run() {
+    // Runs below one another with odd or equal headings: found by fuzzing.
+    for (text, of_the_last) in [
+        (&b"2\n'\t\n0\n0\xff\n2\t 2\n0\xff\n' \n0 20 "[..], "Run 2.#2"),
+        (b"\n5 --2\tu\n\xc2\xb0K\tu\nu\t2\t55 --2\tu\n\xc2\xb0K\t55 --2\tu\n\xc2\xb0K\tu\nu\t2\t5MM2", "Run 2.#3"),
+    ] {
+        let table = import::text(text).expect("a table").table;
+        for index in 0..table.columns.len() {
+            assert_eq!(table.column(&table.typed(index)), Ok(index), "{}", table.typed(index));
+        }
+        assert_eq!(table.typed(table.columns.len() - 1), of_the_last);
     }
 }
 

@@ -60,30 +60,6 @@ pub(crate) fn undersampled(language: Language) -> &'static str {
     language.say("The curve oscillates faster than the samples can show.")
 }
 
-/// Text about the clock reading at which the initial values hold. `early`: number of values before it.
-pub(crate) fn initial_values_hold(language: Language, at: &str, early: usize) -> String {
-    let mut text = say!(language, "The initial values refer to {at}.");
-    if early > 0 {
-        text += &say!(language, " Nothing is predicted of the {early} values before.");
-    }
-    text
-}
-
-/// Sentences about the observations that were weighted with standard errors from the record, one per record.
-pub(crate) fn given_errors(language: Language, task: &analysis::fit::Task) -> Vec<String> {
-    let with_errors = |record: &analysis::fit::Record| {
-        let known = record.observations.iter().filter(|one| one.errors.is_some()).map(|one| one.name.clone());
-        (record.name.clone(), known.collect::<Vec<String>>().join(", "))
-    };
-    let sentence = |(record, names): (String, String)| {
-        say!(
-            language,
-            "{record}: the values of {names} are weighted by the standard errors that stand beside them in the record."
-        )
-    };
-    task.records.iter().map(with_errors).filter(|(_, names)| !names.is_empty()).map(sentence).collect()
-}
-
 /// Text for standard errors that were ignored because some are missing. The last argument is the number of missing ones
 /// and of all rows.
 pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (missing, rows): (usize, usize)) -> String {
@@ -92,11 +68,6 @@ pub(crate) fn missing_errors(language: Language, record: &str, name: &str, (miss
         "{record}: {missing} of {rows} values of {name} have no standard error beside them, so the fit weighs all values equally. \
              Complete their column or remove these rows."
     )
-}
-
-/// Text for a number that the data do not determine.
-pub(crate) fn undetermined(language: Language) -> &'static str {
-    language.say("not determined by the data")
 }
 
 /// True value of a virtual measurement, and the deviation of the estimate in standard errors.

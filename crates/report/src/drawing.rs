@@ -2,7 +2,7 @@
 
 use crate::Report;
 use crate::markup::plain_symbol;
-use crate::results::size;
+use crate::written::size;
 use analysis::fit::ObservationFit;
 use figure::{Axis, Figure, Interval, Palette, Plot, Series, Settings, Style, View, layout};
 use units::number::unit_text;

@@ -1,7 +1,7 @@
 //! Data of the report: workbook and CSV.
 
-use crate::Report;
-use crate::results::{label, quoted, readable_units, size};
+use crate::written::size;
+use crate::{FitReport, FitRow, Report};
 use analysis::csv::{self, Dialect};
 use analysis::fit::{Estimate, ObservationFit};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
@@ -122,51 +122,50 @@ pub fn results(report: &Report<'_>) -> Sheet {
         .map(Cell::from)
         .to_vec(),
     ];
-    let estimates = [readable_units(&outcome.parameters), readable_units(&outcome.derived)].concat();
-    rows.extend(estimates.iter().map(|estimate| result(report, estimate)));
+    let fit = FitReport::new(report);
+    rows.extend(fit.rows.iter().map(|row| result(report, row)));
     rows.push(Vec::new());
-    let unit = outcome.rmse_unit.text.clone();
-    let mut say = |name: &str, value: Option<f64>, unit: &str| {
-        let value = value.map_or(Cell::Empty, Cell::Number);
-        rows.push(vec![Cell::Empty, name.into(), Cell::Empty, value, Cell::Empty, Cell::Empty, unit.into()]);
+    let mut say = |name: &str, value: f64, unit: &str, note: &str| {
+        let value = Cell::Number(value);
+        rows.push(vec![
+            Cell::Empty,
+            name.into(),
+            Cell::Empty,
+            value,
+            Cell::Empty,
+            Cell::Empty,
+            unit.into(),
+            note.into(),
+        ]);
     };
-    say(language.say("Values"), Some(outcome.n as f64), "");
-    say(language.say("Degrees of freedom"), Some(outcome.dof as f64), "");
-    say(language.say("Root mean square residual"), Some(size(&outcome.rmse_unit, outcome.rmse)), &unit);
-    say(language.say("Reduced chi-square"), outcome.chi2_reduced, "");
-    say("R²", Some(outcome.r2).filter(|_| outcome.reweighted.is_none()), "");
-    say("AICc", outcome.aicc, "");
-    say("BIC", Some(outcome.bic), "");
-    say("Durbin-Watson", Some(outcome.durbin_watson), "");
-    say(language.say("Correlation of neighbouring residuals"), Some(outcome.autocorrelation), "");
+    fit.statistics.iter().for_each(|one| say(one.name, one.value, &one.unit.text, &one.note));
     for fit in &outcome.observations {
         if let Some(outside) = fit.outside {
             let name = [language.say("Root mean square predicted: "), &fit.name].concat();
             let name = heading(report, fit.record, &name, "");
-            say(&name, Some(size(&fit.unit, outside.rmse)), &fit.unit.text);
+            say(&name, size(&fit.unit, outside.rmse), &fit.unit.text, "");
         }
     }
     rows.push(Vec::new());
-    rows.push(vec![Cell::Empty, outcome.verdict_text(language).into()]);
-    rows.extend(report.doubts().into_iter().chain(report.remarks()).map(|remark| vec![Cell::Empty, remark.into()]));
-    rows.extend(outcome.undetermined.iter().map(|one| vec![Cell::Empty, one.text(language).into()]));
+    rows.extend(fit.sentences().map(|sentence| vec![Cell::Empty, sentence.as_str().into()]));
     Sheet { name: language.say("Results").to_owned(), rows, header: true }
 }
 
-fn result(report: &Report<'_>, estimate: &Estimate) -> Vec<Cell> {
-    let language = report.language;
+fn result(report: &Report<'_>, row: &FitRow) -> Vec<Cell> {
+    let estimate = &row.estimate;
     let record = estimate.record.and_then(|record| report.task.records.get(record));
     let error = |si: Option<f64>| si.map_or(Cell::Empty, |si| Cell::Number(size(&estimate.unit, si)));
     let value = if estimate.determined { Cell::Number(estimate.unit.from_si(estimate.value)) } else { Cell::Empty };
+    let rounded = if row.note.is_empty() { with_unit(&row.rounded, &estimate.unit) } else { row.note.to_owned() };
     vec![
         estimate.name.as_str().into(),
-        label(&report.document.program, report.language, estimate).into(),
+        row.label.as_str().into(),
         record.map_or("", |record| &record.name).into(),
         value,
         error(estimate.stderr_hac),
         error(estimate.stderr),
         estimate.unit.text.as_str().into(),
-        with_unit(&quoted(estimate, language.style()), &estimate.unit).into(),
+        rounded.into(),
     ]
 }
 

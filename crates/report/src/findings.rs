@@ -1,48 +1,19 @@
 //! Sections about the residuals, the prediction, and undetermined parameters.
 
 use crate::Report;
+use crate::fit_report::FitReport;
 use crate::markup::{Page, cell, escaped, symbol};
 use crate::written;
-use analysis::fit::{Estimate, ObservationFit, Outcome, Verdict};
-use units::Unit;
-use units::number::{Group, Style, fixed, near_one, plain};
+use analysis::fit::{ObservationFit, Outcome, Verdict};
+use units::number::{fixed, near_one};
 
 /// Adds the statistics at the head of a report.
-pub fn numbers(page: &mut Page, report: &Report<'_>) {
-    let language = report.language;
-    let (outcome, style) = (report.outcome, language.style());
-    let mut pair = |term: &str, value: String| {
+pub fn numbers(page: &mut Page, fit: &FitReport) {
+    for one in &fit.statistics {
         page.raw("<div>");
-        page.pair(term, &value);
+        page.pair(one.name, &one.full_text());
         page.raw("</div>\n");
-    };
-    pair(language.say("Values"), outcome.n.to_string());
-    pair(language.say("Degrees of freedom"), outcome.dof.to_string());
-    pair(language.say("RMS residual"), rmse(outcome, style));
-    if let Some(reduced) = outcome.chi2_reduced {
-        pair(language.say("Reduced χ²"), plain(reduced, 3, style));
     }
-    match &outcome.reweighted {
-        None => pair("R²", near_one(outcome.r2, style)),
-        Some(robust) => {
-            let scale = with_unit(robust.scale, &outcome.rmse_unit, style);
-            pair(language.say("Median scale of residuals"), scale);
-        }
-    }
-    if let Some(aicc) = outcome.aicc {
-        pair("AICc", fixed(aicc, 1, style));
-    }
-    pair("BIC", fixed(outcome.bic, 1, style));
-}
-
-/// Root mean square of the residuals with its unit.
-pub fn rmse(outcome: &Outcome, style: Style) -> String {
-    with_unit(outcome.rmse, &outcome.rmse_unit, style)
-}
-
-/// A difference, given in SI, with three digits and a suitable unit.
-pub fn with_unit(si: f64, shown: &Unit, style: Style) -> String {
-    Group::of_residuals(shown, &[si], 3, style).quantity(si).replace(' ', "\u{a0}")
 }
 
 /// True if the verdict is a warning, or the results are doubtful.
@@ -53,25 +24,13 @@ pub fn warns(outcome: &Outcome) -> bool {
         || !outcome.undersampled.is_empty()
 }
 
-/// Adds the warnings: a search that did not converge, doubts, undetermined parameters, and another minimum.
-pub fn warnings(page: &mut Page, report: &Report<'_>) {
-    let language = report.language;
-    let outcome = report.outcome;
-    let mut sentences: Vec<String> = Vec::new();
-    if !outcome.converged {
-        sentences.push(escaped(
-            language.say("The fit did not converge: these numbers are the best found so far, not a result."),
-        ));
-    }
-    sentences.extend(report.doubts().iter().map(|text| escaped(text)));
-    sentences.extend(outcome.undetermined.iter().map(|one| escaped(&one.text(language))));
-    let quantity = |one: &Estimate, si: f64| written::quantity(si, &one.unit, language.style());
-    sentences.extend(outcome.rival_text(language, quantity).map(|text| escaped(&text)));
-    if sentences.is_empty() {
+/// Adds the warnings, if there are any.
+pub fn warnings(page: &mut Page, fit: &FitReport) {
+    if fit.warnings.is_empty() {
         return;
     }
     page.raw("<div class=\"callout\">");
-    sentences.iter().for_each(|sentence| page.wrapped("p", sentence));
+    fit.warnings.iter().for_each(|sentence| page.element("p", sentence));
     page.raw("</div>\n");
 }
 
@@ -109,30 +68,11 @@ pub fn errors(page: &mut Page, report: &Report<'_>) {
 }
 
 /// Adds the section about the residuals.
-pub fn residuals(page: &mut Page, report: &Report<'_>) {
-    let language = report.language;
-    let (outcome, style) = (report.outcome, language.style());
-    page.heading(language.say("What the residuals say"));
-    page.element("p", &outcome.verdict_text(language));
-    report.remarks().iter().for_each(|remark| page.element("p", remark));
-    page.raw("<dl class=\"steps\">");
-    if let Some(runs) = outcome.runs {
-        let value = [
-            &runs.runs.to_string(),
-            language.say(" runs of equal sign, where independent residuals would make "),
-            &fixed(runs.expected, 0, style),
-            " (",
-            &fixed(runs.z, 1, style),
-            language.say(" standard deviations)"),
-        ];
-        page.pair(language.say("Signs"), &value.concat());
-    }
-    let value = [&fixed(outcome.durbin_watson, 2, style), language.say("; 2 for independent residuals")];
-    page.pair("Durbin-Watson", &value.concat());
-    let value = [&fixed(outcome.autocorrelation, 2, style), language.say(" between neighbouring residuals")];
-    page.pair(language.say("Correlation"), &value.concat());
-    page.raw("</dl>\n");
-    if outcome.observations.len() > 1 {
+pub fn residuals(page: &mut Page, report: &Report<'_>, fit: &FitReport) {
+    page.heading(report.language.say("What the residuals say"));
+    page.element("p", &fit.verdict);
+    fit.findings.iter().for_each(|sentence| page.element("p", sentence));
+    if report.outcome.observations.len() > 1 {
         by_observation(page, report);
     }
 }

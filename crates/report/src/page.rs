@@ -1,7 +1,7 @@
 //! The report of one fit as an HTML page.
 
 use crate::markup::{self, Page};
-use crate::{Report, drawing, export, film, findings, results, theory};
+use crate::{FitReport, Report, drawing, export, film, findings, results, theory};
 use units::Language;
 
 /// Maximum number of figures.
@@ -11,18 +11,19 @@ const FIGURES: usize = 12;
 pub fn html(report: &Report<'_>) -> String {
     let language = report.language;
     let title = report.document.program.edition(language.tag()).title.as_str();
+    let fit = FitReport::new(report);
     let mut page = Page::default();
-    header(&mut page, report, title);
+    header(&mut page, report, &fit, title);
     figures(&mut page, report);
     page.heading(language.say("Results"));
-    results::estimates(&mut page, report, &report.outcome.parameters, false);
+    results::estimates(&mut page, report, fit.varied(), !report.intervals.is_empty());
     findings::errors(&mut page, report);
-    findings::warnings(&mut page, report);
-    if !report.outcome.derived.is_empty() {
+    findings::warnings(&mut page, &fit);
+    if fit.derived().next().is_some() {
         page.element("h3", language.say("What follows from them"));
-        results::estimates(&mut page, report, &results::once(&report.outcome.derived), true);
+        results::estimates(&mut page, report, fit.derived(), false);
     }
-    findings::residuals(&mut page, report);
+    findings::residuals(&mut page, report, &fit);
     findings::prediction(&mut page, report);
     results::correlations(&mut page, report);
     theory::theory(&mut page, report);
@@ -33,7 +34,7 @@ pub fn html(report: &Report<'_>) -> String {
     markup::document(title, language.tag(), report.version, &page.out)
 }
 
-fn header(page: &mut Page, report: &Report<'_>, title: &str) {
+fn header(page: &mut Page, report: &Report<'_>, fit: &FitReport, title: &str) {
     let language = report.language;
     page.raw("<header>\n");
     page.element("p class=\"kicker\"", language.say("Fit of a theory to measured data"));
@@ -50,9 +51,9 @@ fn header(page: &mut Page, report: &Report<'_>, title: &str) {
     page.element("p class=\"meta\"", &meta);
     page.raw("</header>\n");
     let class = if findings::warns(report.outcome) { "p class=\"verdict warn\"" } else { "p class=\"verdict\"" };
-    page.element(class, &report.outcome.verdict_text(language));
+    page.element(class, &fit.verdict);
     page.raw("<dl class=\"numbers\">\n");
-    findings::numbers(page, report);
+    findings::numbers(page, fit);
     page.raw("</dl>\n");
 }
 

@@ -2,7 +2,7 @@
 
 use crate::findings;
 use crate::markup::{self, Page, cell, escaped};
-use crate::{Report, drawing, page, results};
+use crate::{FitReport, Report, drawing, page, results, written};
 use analysis::csv::{self, Dialect};
 use analysis::fit::{ObservationFit, Outcome, Ranked, Verdict, rank, ties, worth};
 use analysis::spreadsheet::{Cell, Sheet, Workbook};
@@ -98,8 +98,9 @@ pub fn ranking_html(ranking: &Ranking<'_>) -> String {
     page.heading(language.say("What each theory finds"));
     for row in &rows {
         page.element("h3", row.title);
-        results::estimates(&mut page, row.report, &row.report.outcome.parameters, false);
-        findings::warnings(&mut page, row.report);
+        let fit = FitReport::new(row.report);
+        results::estimates(&mut page, row.report, fit.varied(), !row.report.intervals.is_empty());
+        findings::warnings(&mut page, &fit);
     }
     if !ranking.command.is_empty() {
         page.heading(language.say("To repeat this"));
@@ -299,7 +300,7 @@ fn numbers(ranking: &Ranking<'_>) -> Vec<Vec<Cell>> {
     ];
     let own = |row: &Row<'_>| {
         let outcome = row.report.outcome;
-        let size = |si: f64| Cell::Number(results::size(&outcome.rmse_unit, si));
+        let size = |si: f64| Cell::Number(written::size(&outcome.rmse_unit, si));
         vec![
             row.title.into(),
             row.report.document_name.into(),

@@ -1,22 +1,14 @@
 //! Remarks about a fit besides its numbers: scales of films, outliers, and records that are short for the correlation
 //! of their errors.
 
-use crate::doubt;
 use crate::outliers::{outliers, sigmas};
 use crate::written::of_record;
 use analysis::fit::{Estimate, FilmScale, Loss, Outcome, Task};
 use units::number::{Group, fixed, plain};
 use units::{Language, Unit};
 
-/// Sentences in English or Spanish, with doubts about the results first. `independent`: name and unit of the
-/// independent variable.
+/// Sentences that are no doubts. `independent`: name and unit of the independent variable.
 pub fn remarks(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
-    let doubts = doubt::doubts(outcome, task, independent, language);
-    doubts.into_iter().chain(beside(outcome, task, independent, language)).collect()
-}
-
-/// Remarks as in [`remarks`], without the doubts.
-pub fn beside(outcome: &Outcome, task: &Task, independent: (&str, &Unit), language: Language) -> Vec<String> {
     let outliers = outliers(outcome, task, independent, language).filter(|_| !outcome.misled);
     let sentences = [loss(outcome, language), outliers, short(outcome, language)];
     scales(outcome, task, language).into_iter().chain(sentences.into_iter().flatten()).collect()

@@ -1,7 +1,6 @@
 //! Input of a report.
 
 use crate::film::Film;
-use crate::{doubt, remarks};
 use analysis::fit::{Interval, Outcome, Task, Trace};
 use document::Document;
 use units::{Language, Unit};
@@ -37,18 +36,8 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// Sentences about doubts.
-    pub(crate) fn doubts(&self) -> Vec<String> {
-        doubt::doubts(self.outcome, self.task, self.independent(), self.language)
-    }
-
-    /// Remarks without the doubts.
-    pub(crate) fn remarks(&self) -> Vec<String> {
-        remarks::beside(self.outcome, self.task, self.independent(), self.language)
-    }
-
     /// Name and unit of the independent variable.
-    fn independent(&self) -> (&str, &Unit) {
+    pub(crate) fn independent(&self) -> (&str, &Unit) {
         let independent = &self.document.program.model.independent;
         (&independent.name, &independent.unit)
     }

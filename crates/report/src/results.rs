@@ -1,77 +1,18 @@
 //! Tables of the results of a fit.
 
 use crate::Report;
+use crate::fit_report::FitRow;
 use crate::markup::{Page, cell, escaped, symbol};
+use crate::written::size;
 use analysis::fit::{Estimate, Interval};
-use program::Program;
-use units::number::{DASH, Style, concise, fixed, plain, steady, unit_text};
-use units::{Language, Unit};
+use units::number::{DASH, Style, concise, fixed, steady, unit_text};
 
 /// Maximum number of parameters for which the full correlation matrix is shown.
 const MATRIX: usize = 10;
 
-/// Value of an estimate in its unit, rounded by its standard error for correlated residuals, otherwise by the ordinary
-/// one. A dash if undetermined.
-pub fn quoted(estimate: &Estimate, style: Style) -> String {
-    let value = estimate.unit.from_si(estimate.value);
-    if !estimate.determined {
-        return DASH.to_owned();
-    }
-    concise(value, estimate.stderr_hac.or(estimate.stderr).map(|error| size(&estimate.unit, error)), style)
-}
-
-/// Converts a difference from SI to a unit, without the zero of the unit.
-pub fn size(unit: &Unit, si: f64) -> f64 {
-    unit.from_si(si) - unit.from_si(0.0)
-}
-
-/// Estimates with units in which they need no power of ten. All estimates of one quantity get the same unit.
-pub fn readable_units(estimates: &[Estimate]) -> Vec<Estimate> {
-    let of_size = |one: &Estimate| {
-        let alike = estimates.iter().filter(|other| other.name == one.name && other.determined);
-        let sizes = alike.flat_map(|other| [other.value, other.stderr_hac.or(other.stderr).unwrap_or(0.0)]);
-        let greatest = sizes.filter(|si| si.is_finite()).fold(0.0_f64, |greatest, si| greatest.max(si.abs()));
-        one.unit.for_size(size(&one.unit, greatest).abs())
-    };
-    estimates.iter().map(|one| Estimate { unit: of_size(one), ..one.clone() }).collect()
-}
-
-/// Label of an estimate; empty if it has none.
-pub fn label(program: &Program, language: Language, estimate: &Estimate) -> String {
-    if let Some(label) = &estimate.label {
-        return program.text(language.tag(), label).to_owned();
-    }
-    let own = estimate.parameter().is_some();
-    match estimate.name.rsplit_once('_') {
-        Some((name, "origin")) if !own && name == program.model.independent.name => {
-            language.say("Reading of the clock at the start").to_owned()
-        }
-        Some((name, "offset")) if !own => [language.say("Zero of the scale of "), &name.replace('\'', "′")].concat(),
-        _ => String::new(),
-    }
-}
-
-/// Derived quantities, with one entry for those that are equal in all records.
-pub fn once(derived: &[Estimate]) -> Vec<Estimate> {
-    let mut result: Vec<Estimate> = Vec::new();
-    for estimate in derived {
-        let alike = |other: &&Estimate| other.name == estimate.name;
-        let same = derived.iter().filter(alike).all(|other| {
-            other.value == estimate.value && other.stderr == estimate.stderr && other.stderr_hac == estimate.stderr_hac
-        });
-        if !same {
-            result.push(estimate.clone());
-        } else if !result.iter().any(|other| other.name == estimate.name) {
-            result.push(Estimate { record: None, ..estimate.clone() });
-        }
-    }
-    result
-}
-
-/// Adds the table of the parameters or, if `derived`, of the derived quantities.
-pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], derived: bool) {
+/// Adds a table of the varied numbers or of the derived quantities. `profiles`: with a column of profile intervals.
+pub fn estimates<'a>(page: &mut Page, report: &Report<'_>, rows: impl Iterator<Item = &'a FitRow>, profiles: bool) {
     let language = report.language;
-    let profiles = if derived { &[][..] } else { report.intervals };
     let mut headings = vec![
         language.say("Symbol"),
         language.say("Quantity"),
@@ -80,19 +21,14 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
         language.say("#Standard error"),
         language.say("#if residuals were independent"),
     ];
-    if !profiles.is_empty() {
+    if profiles {
         headings.push(language.say("#68 % by profile, if residuals were independent"));
     }
     page.table("wide", &headings);
-    let estimates = &readable_units(estimates);
-    // Estimates that hold for all records come first, then those of each record.
-    let mut order: Vec<usize> = (0..estimates.len()).collect();
-    order.sort_by_key(|&index| estimates[index].record.map_or(0, |record| record + 1));
     let mut group = None;
-    for index in order {
-        let estimate = &estimates[index];
-        if estimate.record != group {
-            group = estimate.record;
+    for one in rows {
+        if one.estimate.record != group {
+            group = one.estimate.record;
             let name = group.and_then(|record| report.task.records.get(record)).map_or("", |record| &record.name);
             let columns = headings.len().to_string();
             page.raw(
@@ -106,37 +42,33 @@ pub fn estimates(page: &mut Page, report: &Report<'_>, estimates: &[Estimate], d
                 .concat(),
             );
         }
-        let interval = profiles.get(index).copied().flatten();
-        row(page, report, estimate, (!profiles.is_empty()).then_some(interval));
+        row(page, one, language.style(), profiles);
     }
     page.end_table();
 }
 
-fn row(page: &mut Page, report: &Report<'_>, estimate: &Estimate, interval: Option<Option<[Interval; 2]>>) {
-    let language = report.language;
-    let style = language.style();
+fn row(page: &mut Page, row: &FitRow, style: Style, profiles: bool) {
+    let estimate = &row.estimate;
     let own = |si: Option<f64>| match si {
         Some(si) if estimate.determined => cell(&steady(size(&estimate.unit, si), 2, style)),
         _ => cell(DASH),
     };
-    let value = if !estimate.determined {
-        ["#<small>", language.say("not determined"), "</small>"].concat()
-    } else if let Some(stopped) = estimate.stopped_text(language) {
-        let value = plain(estimate.unit.from_si(estimate.value), 6, style);
-        ["#", &escaped(&value), " <small>", stopped, "</small>"].concat()
-    } else {
-        ["#<b>", &escaped(&quoted(estimate, style)), "</b>"].concat()
+    let note = ["<small>", &escaped(row.note), "</small>"].concat();
+    let value = match (estimate.determined, row.note.is_empty()) {
+        (false, _) => ["#", &note].concat(),
+        (true, false) => ["#", &escaped(&row.rounded), " ", &note].concat(),
+        (true, true) => ["#<b>", &escaped(&row.rounded), "</b>"].concat(),
     };
     let mut cells = vec![
         symbol(&estimate.name),
-        escaped(&label(&report.document.program, report.language, estimate)),
+        escaped(&row.label),
         value,
         escaped(&unit_text(&estimate.unit.text)),
         own(estimate.stderr_hac),
         own(estimate.stderr),
     ];
-    if let Some(interval) = interval {
-        cells.push(cell(&interval.map_or_else(|| DASH.to_owned(), |[one, _]| ends(estimate, one, style))));
+    if profiles {
+        cells.push(cell(&row.intervals.map_or_else(|| DASH.to_owned(), |[one, _]| ends(estimate, one, style))));
     }
     let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
     page.row(&cells);

@@ -2,7 +2,7 @@
 
 use crate::Report;
 use crate::markup::{Page, cell, escaped, symbol};
-use crate::results::size;
+use crate::written::size;
 use analysis::fit::Target;
 use program::Parameter;
 use units::number::{fixed, plain, unit_text};

@@ -16,6 +16,16 @@ pub fn quantity(si: f64, unit: &Unit, style: Style) -> String {
     with_unit(&plain(unit.from_si(si), 5, style), &unit)
 }
 
+/// Converts a difference from SI to a unit, without the zero of the unit.
+pub fn size(unit: &Unit, si: f64) -> f64 {
+    unit.from_si(si) - unit.from_si(0.0)
+}
+
+/// A difference, given in SI, with three digits and a suitable unit.
+pub fn difference(si: f64, shown: &Unit, style: Style) -> String {
+    Group::of_residuals(shown, &[si], 3, style).quantity(si).replace(' ', "\u{a0}")
+}
+
 /// Common number format of the residuals of all observations of one name, inside and outside the fitted part.
 pub fn sizes(outcome: &Outcome, name: &str, style: Style) -> Group {
     let own = || outcome.observations.iter().filter(|one| one.name == name);

@@ -9,9 +9,8 @@ use crate::terminal::Terminal;
 use crate::terminal::output;
 use analysis::fit::{Outcome, Ranked, rank as order, worth};
 use report::{Ranking, Report};
-use runner::fitting::{Columns, Contender, FitSettings, Fitted, Theory, beginnings, ranking_as_json, searches, tied};
+use runner::fitting::{Columns, Contender, FitSettings, Fitted, Theory, ranking_as_json, tied};
 use std::fmt::Write;
-use units::Language;
 use units::Unit;
 use units::number::{Group, Style, plain};
 
@@ -115,7 +114,8 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     }
     if let Some(first) = ranked.first().map(|ranked| &contenders[ranked.index].fitted) {
         let best = &first.outcome;
-        let _ = writeln!(text, "\nOf the best: {}", best.verdict_text(Language::English));
+        let report = first.fit_report();
+        let _ = writeln!(text, "\nOf the best: {}", report.verdict);
         let worth = worth(best);
         if worth < 0.8 {
             let _ = writeln!(
@@ -127,34 +127,13 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
                 plain(worth, 2, Style::POINT)
             );
         }
-        for remark in first.remarks() {
-            let _ = writeln!(text, "{remark}");
+        for finding in report.findings {
+            let _ = writeln!(text, "{finding}");
         }
-    }
-    if let Some(moved) = contenders.iter().map(|one| beginnings(&one.fitted)).find(|found| !found.is_empty())
-        && arguments.common.from.is_some()
-    {
-        for (record, when) in moved {
-            let of = if record.is_empty() { String::new() } else { format!(" of {record}") };
-            let _ = writeln!(text, "Equations of motion: initial values{of} hold at {when}.");
-        }
-    }
-    for one in contenders.iter().filter(|one| one.fitted.outcome.rival.is_some()) {
-        for sentence in searches(&one.fitted.outcome) {
-            let _ = writeln!(text, "{}: {sentence}", one.fitted.theory.document.program.title);
-        }
-    }
-    for one in contenders.iter().filter(|one| !one.fitted.outcome.converged) {
-        let _ = writeln!(text, "The fit of {} did not converge.", one.fitted.theory.document.program.title);
     }
     for one in contenders {
-        for undetermined in &one.fitted.outcome.undetermined {
-            let _ = writeln!(
-                text,
-                "{}: {}",
-                one.fitted.theory.document.program.title,
-                undetermined.text(Language::English)
-            );
+        for warning in one.fitted.fit_report().warnings {
+            let _ = writeln!(text, "{}: {warning}", one.fitted.theory.document.program.title);
         }
     }
     text

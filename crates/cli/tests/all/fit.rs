@@ -67,7 +67,7 @@ fn a_best_value_at_an_end_of_its_range_is_in_doubt() {
     assert!(text.code == 0 && text.stdout.contains(doubt), "{}", text.stdout);
     let fit = object(&meniscus(&[&words[..], &["--format", "json"]].concat()));
     assert_eq!(fit["parameters"]["gamma"]["at_bound"], true);
-    assert!(fit["remarks"][0].as_str().is_some_and(|remark| remark.starts_with(doubt)), "{}", fit["remarks"]);
+    assert!(fit["warnings"][0].as_str().is_some_and(|remark| remark.starts_with(doubt)), "{}", fit["warnings"]);
     assert!(!meniscus(&words[..5]).stdout.contains("is in doubt"));
 }
 
@@ -163,7 +163,7 @@ fn where_initial_values_hold_and_how_often_was_searched_is_said() {
     let data = record(directory.path(), "run.txt", 0.4, 0.1);
     let words = ["fit", "simulations/theories/quadratic.md", word(&data), "--observe", "y", "--from", "1.01"];
     let told = meniscus(&words).stdout;
-    assert!(told.contains("t = 1.0333 s; nothing is predicted of the 31 values before"), "{told}");
+    assert!(told.contains("t = 1.0333 s. Nothing is predicted of the 31 values before"), "{told}");
     assert!(told.contains("The search was made from "), "{told}");
     let told = meniscus(&["fit", COSINE, word(&data), "--observe", "y", "--from", "1"]).stdout;
     assert!(!told.contains("initial values") && !told.contains("starts"), "{told}");

@@ -92,7 +92,14 @@ impl ShownFits<'_> {
         Some(export(&name(fit), kind, bytes))
     }
 
-    fn report<'a>(&'a self, fit: &'a Fitted, notes: &'a [Vec<String>], command: &'a str, date: &'a str) -> Report<'a> {
+    /// Input of a report of a fit. `notes`: findings about the data of each record.
+    pub(super) fn report<'a>(
+        &'a self,
+        fit: &'a Fitted,
+        notes: &'a [Vec<String>],
+        command: &'a str,
+        date: &'a str,
+    ) -> Report<'a> {
         let file = fit.definition.file.rsplit('/').next();
         Report {
             document: &fit.document,

@@ -6,6 +6,7 @@ use crate::removed::Removed;
 use crate::{Announcement, Changes, number, words};
 use analysis::fit::{Estimate, Outcome, Verdict};
 use play::Play;
+use report::{FitReport, FitRow};
 use units::number::{Group, Style};
 use units::order::sort;
 use units::{Language, Unit};
@@ -68,7 +69,7 @@ pub struct FitDetail {
     pub estimates: Vec<EstimateView>,
     /// Sentences about the residuals, the search, undetermined numbers and the data.
     pub sentences: Vec<String>,
-    /// Names and values of statistics: R², AICc, BIC, Durbin-Watson.
+    /// Names and values of statistics.
     pub statistics: Vec<(&'static str, String)>,
 }
 
@@ -171,40 +172,13 @@ impl ShownFits<'_> {
     /// Details of the fit of this id.
     pub fn detail(self, id: u32) -> Option<FitDetail> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
-        let outcome = &fit.outcome;
-        let plain = |value: f64, digits: usize| number::plain(value, digits, self.play.basis().style());
-        let mut sentences = vec![outcome.verdict_text(self.play.basis().language())];
-        let independent = &fit.document.program.model.independent;
-        sentences.extend(report::remarks(
-            outcome,
-            &fit.task,
-            (&independent.name, &independent.unit),
-            self.play.basis().language(),
-        ));
-        sentences.extend(outcome.undetermined.iter().map(|one| one.text(self.play.basis().language())));
-        if !outcome.converged {
-            sentences.push(words::not_converged(self.play.basis().language()).to_owned());
-        }
-        sentences.extend(outcome.search_texts(self.play.basis().language()));
-        sentences.extend(
-            outcome.rival_text(self.play.basis().language(), |one, value| {
-                self.play.basis().quantity_text(value, &one.unit)
-            }),
-        );
-        sentences.extend(words::given_errors(self.play.basis().language(), &fit.task));
-        sentences.extend(self.missing_errors(fit));
-        sentences.extend(self.beginnings(fit));
+        let report = FitReport::new(&self.report(fit, &[], "", ""));
         Some(FitDetail {
             theory: fit.title(self.play),
-            doubt: doubt(self.play.basis().language(), outcome),
-            estimates: self.estimate_views(fit),
-            sentences,
-            statistics: vec![
-                ("R²", if outcome.reweighted.is_some() { number::DASH.to_owned() } else { plain(outcome.r2, 6) }),
-                ("AICc", outcome.aicc.map_or_else(|| number::DASH.to_owned(), |value| plain(value, 6))),
-                ("BIC", plain(outcome.bic, 6)),
-                ("Durbin-Watson", plain(outcome.durbin_watson, 3)),
-            ],
+            doubt: doubt(self.play.basis().language(), &fit.outcome),
+            estimates: self.estimate_views(fit, &report),
+            sentences: report.sentences().cloned().chain(self.missing_errors(fit)).collect(),
+            statistics: report.statistics.iter().map(|one| (one.name, one.full_text())).collect(),
         })
     }
 
@@ -229,69 +203,43 @@ impl ShownFits<'_> {
         sentences
     }
 
-    /// Sentences about the clock reading at which the initial values hold, one per record.
-    fn beginnings(&self, fit: &Fitted) -> Vec<String> {
-        let sentence = |(place, origin): (usize, &f64)| {
-            let independent = &fit.document.program.model.independent;
-            let at = self.play.basis().quantity_text(*origin, &independent.unit);
-            let at = format!("{} = {at}", independent.name);
-            let of_record = fit.outcome.observations.iter().filter(|one| one.record == place);
-            let text =
-                words::initial_values_hold(self.play.basis().language(), &at, of_record.map(|one| one.early).sum());
-            match fit.definition.parts.get(place).filter(|_| fit.definition.parts.len() > 1) {
-                Some(part) => format!("{}: {text}", part.name),
-                None => text,
-            }
-        };
-        fit.outcome.origins.iter().enumerate().map(sentence).collect()
-    }
-
     /// Estimates that hold for all records, then those of each record. Within each group the varied numbers come first.
-    fn estimate_views(&self, fit: &Fitted) -> Vec<EstimateView> {
+    fn estimate_views(&self, fit: &Fitted, report: &FitReport) -> Vec<EstimateView> {
         let several = fit.task.records.len() > 1;
-        let derived = report::once(&fit.outcome.derived);
-        let all = || {
-            let varied = fit.outcome.parameters.iter().map(|one| (one, false));
-            varied.chain(derived.iter().map(|one| (one, true)))
-        };
-        let place = |one: &Estimate| one.record.filter(|_| several);
+        let place = |row: &FitRow| row.estimate.record.filter(|_| several);
         let groups = std::iter::once(None).chain((0..fit.task.records.len()).map(Some));
-        let of = |group| all().filter(move |(one, _)| place(one) == group);
         // A quantity has the same unit and the same decimals in every record.
         let group = |name: &str| -> Group {
             let known: Vec<&Estimate> =
-                all().map(|(one, _)| one).filter(|one| one.name == name && one.determined).collect();
+                report.rows.iter().map(|row| &row.estimate).filter(|one| one.name == name && one.determined).collect();
             let measured: Vec<(f64, f64)> =
                 known.iter().map(|one| (one.value, error(one).map_or(f64::NAN, f64::abs))).collect();
             let unit = known.first().map_or_else(Unit::dimensionless, |one| one.unit.clone());
             Group::of_errors(&unit, &measured, self.play.basis().style())
         };
-        let view = |(one, derived): (&Estimate, bool)| self.estimate_view(fit, one, derived, &group(&one.name));
-        groups.flat_map(of).map(view).collect()
+        let of = |group| report.rows.iter().filter(move |row| place(row) == group);
+        groups.flat_map(of).map(|row| self.estimate_view(fit, row, &group(&row.estimate.name))).collect()
     }
 
-    fn estimate_view(&self, fit: &Fitted, one: &Estimate, derived: bool, group: &Group) -> EstimateView {
+    fn estimate_view(&self, fit: &Fitted, row: &FitRow, group: &Group) -> EstimateView {
+        let one = &row.estimate;
         let error = error(one);
-        let remark = if !one.determined {
-            words::undetermined(self.play.basis().language()).to_owned()
-        } else if let Some(stopped) = one.stopped_text(self.play.basis().language()) {
-            stopped.to_owned()
-        } else if let Some(value) = self.truth(fit, one) {
-            let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
-            let truth = self.play.basis().quantity_text(value, group.unit());
-            words::truth_is(
-                self.play.basis().language(),
-                &truth,
-                off.map(|off| number::fixed(off, 1, self.play.basis().style())).as_deref(),
-            )
-        } else {
-            String::new()
+        let remark = match self.truth(fit, one).filter(|_| row.note.is_empty()) {
+            Some(value) => {
+                let off = error.filter(|error| *error > 0.0).map(|error| (one.value - value) / error);
+                let truth = self.play.basis().quantity_text(value, group.unit());
+                words::truth_is(
+                    self.play.basis().language(),
+                    &truth,
+                    off.map(|off| number::fixed(off, 1, self.play.basis().style())).as_deref(),
+                )
+            }
+            None => row.note.to_owned(),
         };
         let record = one.record.filter(|_| fit.task.records.len() > 1).and_then(|record| fit.task.records.get(record));
-        let label = report::label(&fit.document.program, self.play.basis().language(), one);
         EstimateView {
             name: one.name.clone(),
-            label: if label.is_empty() { play::symbol(&one.name) } else { label },
+            label: if row.label.is_empty() { play::symbol(&one.name) } else { row.label.clone() },
             record: record.map(|record| record.name.clone()).unwrap_or_default(),
             value: match one.determined {
                 true => group.with_error(one.value, error.map_or(f64::NAN, f64::abs)),
@@ -299,7 +247,7 @@ impl ShownFits<'_> {
             },
             unit: if one.determined { group.unit_text() } else { number::unit_text(&one.unit.text) },
             remark,
-            derived,
+            derived: row.is_derived,
         }
     }
 

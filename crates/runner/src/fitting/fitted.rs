@@ -4,7 +4,7 @@ use crate::opening::Sources;
 use crate::refusal::Refusal;
 use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profiles};
 use document::Document;
-use report::Report;
+use report::{FitReport, Report};
 use units::Language;
 use units::number::{Style, plain};
 
@@ -68,10 +68,9 @@ impl Fitted {
         Ok(Self { theory, task, outcome, traces, intervals })
     }
 
-    /// Remarks about the result, in sentences.
-    pub fn remarks(&self) -> Vec<String> {
-        let independent = &self.theory.document.program.model.independent;
-        report::remarks(&self.outcome, &self.task, (&independent.name, &independent.unit), Language::English)
+    /// The result as rows and sentences in English.
+    pub fn fit_report(&self) -> FitReport {
+        FitReport::new(&Report { language: Language::English, ..self.report(&[], "") })
     }
 
     /// The fit as input of a report.

@@ -10,6 +10,7 @@ use units::Unit;
 /// A fit as one object.
 pub fn fit_as_json(fitted: &Fitted, data: &[Measured]) -> Value {
     let outcome = &fitted.outcome;
+    let report = fitted.fit_report();
     let several = fitted.task.records.len() > 1;
     let lacking = |lack: Lack| outcome.undetermined.iter().filter(move |one| one.lack == lack);
     let least_squares = outcome.reweighted.as_ref().map(|robust| robust.least_squares.as_slice());
@@ -44,8 +45,9 @@ pub fn fit_as_json(fitted: &Fitted, data: &[Measured]) -> Value {
         "independent_values": outcome.independent,
         "short_for_its_correlation": outcome.is_short(),
         "outliers": outliers(fitted),
-        "verdict": outcome.verdict_text(Language::English),
-        "remarks": fitted.remarks(),
+        "verdict": report.verdict,
+        "warnings": report.warnings,
+        "findings": report.findings,
         "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, None),
         "film_scales": outcome.scales.iter().map(|scale| json!({
             "record": fitted.task.records.get(scale.record).map(|record| &record.name),

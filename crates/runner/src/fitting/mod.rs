@@ -12,4 +12,4 @@ pub use json::{fit_as_json, record_as_json};
 pub use ranking::{Contender, ranking_as_json, tied};
 pub use settings::FitSettings;
 pub use task::task;
-pub use text::{Columns, beginnings, fit_as_text, searches};
+pub use text::{Columns, fit_as_text};

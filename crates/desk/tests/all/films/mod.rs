@@ -117,7 +117,7 @@ fn a_fit_of_a_film_finds_the_truth() {
     let fit = desk.fits().list()[0].id;
     let detail = desk.fits().detail(fit).unwrap();
     assert!(
-        detail.sentences.iter().any(|one| one.contains("the values of y are weighted by")),
+        detail.sentences.iter().any(|one| one.contains("The values of y are weighted by")),
         "{:?}",
         detail.sentences
     );

@@ -60,7 +60,10 @@ fn is_degree(unit: &Unit) -> bool {
 
 /// Gives the declared unit to each bare number that an event or a button assigns to a dimensionless quantity: `theta = 90`
 /// after `theta(0) = 0 in [deg]`. Borrows the statements if nothing changes.
-pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
+pub(crate) fn write_out<'a>(
+    statements: Cow<'a, [Statement]>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
     let declared: HashMap<(&str, u32), &Unit> = statements.iter().filter_map(declared).collect();
     let is_given = |statement: &Statement| match &statement.kind {
         StatementKind::Event { actions, .. } => {
@@ -69,7 +72,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
         _ => false,
     };
     if !statements.iter().any(is_given) {
-        return Cow::Borrowed(statements);
+        return statements;
     }
     let mut written = statements.to_vec();
     for statement in &mut written {

@@ -32,6 +32,29 @@ pub struct Checked {
     pub functions: Functions,
 }
 
+/// Replaces one form of statement by simpler ones.
+type Pass = for<'a> fn(Cow<'a, [Statement]>, &Vectors, &mut Vec<Diagnostic>) -> Cow<'a, [Statement]>;
+
+/// The passes over the statements of a model, in their order. Families and vectors have been replaced by their members and
+/// components before, so that each pass sees single numbers; functions are expanded and choices replaced after them, because
+/// the passes add no calls of the author's functions and no choices.
+const PASSES: [Pass; 7] = [
+    // First, while each number that an action assigns is still as written.
+    |statements, _, diagnostics| bare_numbers::write_out(statements, diagnostics),
+    // Maps become events; all passes after it know events only.
+    |statements, _, diagnostics| maps::write_out(statements, diagnostics),
+    // A draw may be in the event of a map. The name of its stream is that of the quantity as written, also of one with texts.
+    |statements, _, diagnostics| chance::write_out(statements, diagnostics),
+    // Texts and truth values become numbers; a draw may choose one of them.
+    |statements, _, diagnostics| discrete_kinds::write_out(statements, diagnostics),
+    // Periodic events become events with conditions; the next pass keeps what a periodic event remembers as well.
+    |statements, _, diagnostics| ticks::write_out(statements, diagnostics),
+    // What an event remembers becomes discrete quantities.
+    moments::write_out,
+    // Last: an aggregate of the run so far may be of what an event remembers.
+    |statements, _, _| so_far::write_out(statements),
+];
+
 /// Compiles the model in `parts` of a document's `source`: one range of bytes per fence. Spans of diagnostics are byte
 /// ranges of `source`. The model is `None` if there are errors; warnings do not prevent one.
 pub fn compile(source: &str, parts: &[Range<usize>]) -> (Option<Checked>, Vec<Diagnostic>) {
@@ -87,11 +110,7 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
         let (single, functions) = without_vectors(&single, vectors, &sizes, diagnostics)?;
         (Cow::Owned(single), Some(functions))
     };
-    let single = bare_numbers::write_out(&single, diagnostics);
-    let mapped = chance::write_out(maps::write_out(&single, diagnostics), diagnostics);
-    let numbered = discrete_kinds::write_out(mapped, diagnostics);
-    let scheduled = ticks::write_out(&numbered, diagnostics);
-    let remembered = so_far::write_out(moments::write_out(&scheduled, vectors, diagnostics));
+    let remembered = PASSES.iter().fold(single, |statements, pass| pass(statements, vectors, diagnostics));
     let (functions, called) = match functions {
         Some(functions) => (functions, None),
         None => written_out(&remembered, diagnostics),

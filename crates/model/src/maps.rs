@@ -20,14 +20,17 @@ pub(crate) fn counts(statements: &[Statement]) -> bool {
 }
 
 /// Replaces all maps by one event.
-pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
-    if !counts(statements) {
+pub(crate) fn write_out<'a>(
+    statements: Cow<'a, [Statement]>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
+    if !counts(&statements) {
         if let Some((span, action)) = statements.iter().flat_map(next).next() {
             diagnostics.push(in_a_flow(span, action));
         }
-        return Cow::Borrowed(statements);
+        return statements;
     }
-    refuse_rates(statements, diagnostics);
+    refuse_rates(&statements, diagnostics);
     let mut targets: HashMap<&str, Span> = HashMap::new();
     for (span, Action { name, .. }) in statements.iter().flat_map(next) {
         if let Some(first) = targets.insert(&name.text, name.span) {
@@ -58,7 +61,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
     }
     let mut event: Option<usize> = None;
     let mut written: Vec<Statement> = Vec::with_capacity(statements.len());
-    for statement in statements {
+    for statement in statements.iter() {
         if let Some((span, _)) = next(statement).next() {
             let place = *event.get_or_insert_with(|| {
                 written.push(Statement::of(each_count(span), statement.span));
@@ -77,7 +80,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
         }
         written.push(statement);
     }
-    for statement in statements {
+    for statement in statements.iter() {
         // The label of a quantity may also stand at its next value.
         let Some(label) = &statement.label else { continue };
         let named = |other: &Name| next(statement).any(|(_, action)| action.name.text == other.text);

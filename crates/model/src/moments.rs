@@ -31,7 +31,7 @@ pub(crate) fn is_hidden(name: &str) -> bool {
 
 /// Replaces everything that events remember by ordinary statements.
 pub(crate) fn write_out<'a>(
-    statements: &'a [Statement],
+    statements: Cow<'a, [Statement]>,
     vectors: &Vectors,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Cow<'a, [Statement]> {
@@ -42,14 +42,15 @@ pub(crate) fn write_out<'a>(
     let mut mentions = Mentions { vectors, found: Vec::new() };
     statements.iter().for_each(|statement| expressions(statement).into_iter().for_each(|one| mentions.note(one)));
     if !uses_any && mentions.found.is_empty() {
-        return Cow::Borrowed(statements);
+        return statements;
     }
-    let events = event_names(statements, diagnostics);
+    let events = event_names(&statements, diagnostics);
     mentions.refuse_unknown(&events, diagnostics);
-    let mut writer = Writer { declared: declared(statements), independent: independent(statements), added: Vec::new() };
+    let mut writer =
+        Writer { declared: declared(&statements), independent: independent(&statements), added: Vec::new() };
     let mut number = 0;
     let mut written: Vec<Statement> = Vec::new();
-    for statement in statements {
+    for statement in statements.iter() {
         let mut statement = statement.clone();
         let span = statement.span;
         if let StatementKind::Event { actions, extras, .. } = &mut statement.kind {

@@ -12,13 +12,16 @@ use std::borrow::Cow;
 use units::words;
 
 /// Replaces all periodic events by events with conditions.
-pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<Diagnostic>) -> Cow<'a, [Statement]> {
+pub(crate) fn write_out<'a>(
+    statements: Cow<'a, [Statement]>,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Cow<'a, [Statement]> {
     let is_tick = |statement: &Statement| matches!(&statement.kind, StatementKind::Event { extras, .. } if extras.every.is_some());
     if !statements.iter().any(is_tick) {
-        return Cow::Borrowed(statements);
+        return statements;
     }
-    let independent = crate::syntax::independent(statements);
-    let counts = crate::maps::counts(statements);
+    let independent = crate::syntax::independent(&statements);
+    let counts = crate::maps::counts(&statements);
     let mut written = statements.to_vec();
     let mut added = Vec::new();
     for (number, statement) in written.iter_mut().enumerate() {
@@ -33,7 +36,7 @@ pub(crate) fn write_out<'a>(statements: &'a [Statement], diagnostics: &mut Vec<D
                         .with_hint(words("write an interval above 0, such as `every 0.1 [s]`")),
                 );
             }
-            diagnostics.extend(ends_at_zero(statements, &interval));
+            diagnostics.extend(ends_at_zero(&statements, &interval));
             let ticks = Ticks {
                 independent: &independent,
                 counts,

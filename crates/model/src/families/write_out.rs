@@ -3,8 +3,8 @@
 use super::index::{Bindings, whole_number};
 use crate::components::component_name;
 use crate::{
-    Action, Diagnostic, EventExtras, Expansion, Expression, ExpressionKind, Members, Name, Over, Span, Statement,
-    StatementKind, limits,
+    Action, Diagnostic, EventExtras, Expression, ExpressionKind, Members, Name, Over, Span, Statement, StatementKind,
+    limits,
 };
 use program::Size;
 use units::words;
@@ -200,42 +200,15 @@ impl<'a> WriteOut<'a> {
                 Some(value) => ExpressionKind::Number { value, unit: None },
                 None => expression.kind.clone(),
             },
-            ExpressionKind::Number { .. }
-            | ExpressionKind::Text(_)
-            | ExpressionKind::Name { .. }
-            | ExpressionKind::InitialValue { .. }
-            | ExpressionKind::Error => expression.kind.clone(),
             ExpressionKind::Member { name, indices, order, at_start } => match self.member(name, indices) {
                 Some(name) if *at_start => ExpressionKind::InitialValue { name, order: *order },
                 Some(name) => ExpressionKind::Name { name, order: *order },
                 None => ExpressionKind::Error,
             },
             ExpressionKind::Reduction { function, body, over } => self.reduction(function, body, over, span),
-            ExpressionKind::Tuple { parts, unit } => {
-                let parts = parts.iter().map(|part| self.expression(part)).collect();
-                ExpressionKind::Tuple { parts, unit: unit.clone() }
-            }
-            ExpressionKind::Component { of, axis } => {
-                ExpressionKind::Component { of: Box::new(self.expression(of)), axis: *axis }
-            }
-            ExpressionKind::Unary(operator, operand) => {
-                ExpressionKind::Unary(*operator, Box::new(self.expression(operand)))
-            }
-            ExpressionKind::Binary(operator, left, right) => {
-                let (left, right) = (self.expression(left), self.expression(right));
-                ExpressionKind::Binary(*operator, Box::new(left), Box::new(right))
-            }
-            ExpressionKind::Call { function, arguments } => {
-                let arguments = arguments.iter().map(|argument| self.expression(argument)).collect();
-                ExpressionKind::Call { function: function.clone(), arguments }
-            }
-            ExpressionKind::Expansion(expansion) => {
-                let body = self.expression(&expansion.body);
-                ExpressionKind::Expansion(Box::new(Expansion { body, ..(**expansion).clone() }))
-            }
-            ExpressionKind::If(condition, chosen, other) => {
-                let [condition, chosen, other] = [condition, chosen, other].map(|part| Box::new(self.expression(part)));
-                ExpressionKind::If(condition, chosen, other)
+            _ => {
+                let written = expression.with_operands(&mut |operand| Some(self.expression(operand)));
+                return written.unwrap_or_else(|| Expression::nothing(span));
             }
         };
         Expression { kind, span }

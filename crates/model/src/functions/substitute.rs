@@ -5,7 +5,7 @@ use super::budget::Budget;
 use crate::components::split_component;
 use crate::names::for_each;
 use crate::notation::quote;
-use crate::{Diagnostic, Expression, ExpressionKind, Over, Span};
+use crate::{Diagnostic, Expression, ExpressionKind, Span};
 use units::words;
 
 /// Substitution for one call.
@@ -52,39 +52,11 @@ impl<'a> Substitution<'a> {
                 };
                 ExpressionKind::Member { name: family.clone(), indices, order: *order, at_start: *at_start }
             }
-            ExpressionKind::Reduction { function, body, over } => {
-                let mut ranges = Vec::with_capacity(over.len());
-                for Over { index, low, high } in over {
-                    ranges.push(Over { index: index.clone(), low: self.of(low)?, high: self.of(high)? });
-                }
-                ExpressionKind::Reduction { function: function.clone(), body: self.boxed(body)?, over: ranges }
-            }
-            ExpressionKind::Number { .. }
-            | ExpressionKind::Text(_)
-            | ExpressionKind::Expansion(_)
-            | ExpressionKind::Error => part.kind.clone(),
-            ExpressionKind::Tuple { parts, unit } => {
-                let parts = parts.iter().map(|component| self.of(component)).collect::<Option<_>>()?;
-                ExpressionKind::Tuple { parts, unit: unit.clone() }
-            }
-            ExpressionKind::Component { of, axis } => ExpressionKind::Component { of: self.boxed(of)?, axis: *axis },
-            ExpressionKind::Unary(operator, operand) => ExpressionKind::Unary(*operator, self.boxed(operand)?),
-            ExpressionKind::Binary(operator, left, right) => {
-                ExpressionKind::Binary(*operator, self.boxed(left)?, self.boxed(right)?)
-            }
-            ExpressionKind::If(condition, chosen, other) => {
-                ExpressionKind::If(self.boxed(condition)?, self.boxed(chosen)?, self.boxed(other)?)
-            }
-            ExpressionKind::Call { function, arguments } => {
-                let arguments = arguments.iter().map(|argument| self.of(argument)).collect::<Option<_>>()?;
-                ExpressionKind::Call { function: function.clone(), arguments }
-            }
+            // The body of another function has been substituted already.
+            ExpressionKind::Expansion(_) => part.kind.clone(),
+            _ => return part.with_operands(&mut |operand| self.of(operand)),
         };
         Some(Expression { kind, span: part.span })
-    }
-
-    fn boxed(&mut self, part: &Expression) -> Option<Box<Expression>> {
-        self.of(part).map(Box::new)
     }
 
     /// Argument of the call for a name in the body.

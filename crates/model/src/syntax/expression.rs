@@ -232,6 +232,50 @@ impl Expression {
         operands
     }
 
+    /// A copy with `map` of each direct operand in its place, in text order; `None` as soon as `map` gives none.
+    pub(crate) fn with_operands(&self, map: &mut dyn FnMut(&Self) -> Option<Self>) -> Option<Self> {
+        let mut all = |list: &[Self]| list.iter().map(&mut *map).collect::<Option<Vec<Self>>>();
+        let kind = match &self.kind {
+            ExpressionKind::Number { .. }
+            | ExpressionKind::Text(_)
+            | ExpressionKind::Name { .. }
+            | ExpressionKind::InitialValue { .. }
+            | ExpressionKind::Error => self.kind.clone(),
+            ExpressionKind::Member { name, indices, order, at_start } => ExpressionKind::Member {
+                name: name.clone(),
+                indices: all(indices)?,
+                order: *order,
+                at_start: *at_start,
+            },
+            ExpressionKind::Reduction { function, body, over } => {
+                let body = Box::new(map(body)?);
+                let mut ranges = Vec::with_capacity(over.len());
+                for Over { index, low, high } in over {
+                    ranges.push(Over { index: index.clone(), low: map(low)?, high: map(high)? });
+                }
+                ExpressionKind::Reduction { function: function.clone(), body, over: ranges }
+            }
+            ExpressionKind::Tuple { parts, unit } => ExpressionKind::Tuple { parts: all(parts)?, unit: unit.clone() },
+            ExpressionKind::Component { of, axis } => ExpressionKind::Component { of: Box::new(map(of)?), axis: *axis },
+            ExpressionKind::Unary(operator, operand) => ExpressionKind::Unary(*operator, Box::new(map(operand)?)),
+            ExpressionKind::Binary(operator, left, right) => {
+                ExpressionKind::Binary(*operator, Box::new(map(left)?), Box::new(map(right)?))
+            }
+            ExpressionKind::Call { function, arguments } => {
+                ExpressionKind::Call { function: function.clone(), arguments: all(arguments)? }
+            }
+            ExpressionKind::If(condition, chosen, other) => {
+                ExpressionKind::If(Box::new(map(condition)?), Box::new(map(chosen)?), Box::new(map(other)?))
+            }
+            ExpressionKind::Expansion(expansion) => {
+                let Expansion { function, written, body, unit } = &**expansion;
+                let (function, written, unit) = (function.clone(), written.clone(), unit.clone());
+                ExpressionKind::Expansion(Box::new(Expansion { function, written, body: map(body)?, unit }))
+            }
+        };
+        Some(Self { kind, span: self.span })
+    }
+
     /// The direct operands, mutable.
     pub fn operands_mut(&mut self) -> Vec<&mut Self> {
         match &mut self.kind {

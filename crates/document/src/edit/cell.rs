@@ -1,12 +1,12 @@
 //! Edits of single cells of a form.
 
 use super::columns::keeping_columns;
-use super::layout::{Layout, result, with_line_ends_of};
+use super::layout::{self, with_line_ends_of};
 use super::obstacle::Obstacle;
 use super::rename::rename_with;
 use super::{Edit, EditError};
 use crate::form::{CellKind, Part, structure};
-use crate::text::outline::{Outline, read};
+use crate::text::outline::Outline;
 use model::Span;
 
 /// Replaces the text of a cell of the statement with this index in the [form](crate::form::Form). An empty text removes a
@@ -53,7 +53,7 @@ pub fn set_cell(outline: &Outline, number: usize, kind: CellKind, text: &str) ->
         Some(cells) => cells.iter_mut().filter(|(one, _)| *one == kind).for_each(|(_, old)| old.clone_from(&text)),
         None => {}
     }
-    expect(outline, std::slice::from_ref(&edit), (parts[number].block, &expected), refusal)?;
+    expect(outline, std::slice::from_ref(&edit), &[parts[number].block], &expected, refusal)?;
     Ok(vec![edit])
 }
 
@@ -117,34 +117,22 @@ fn texts(part: &Part) -> Vec<(CellKind, String)> {
     part.cells.iter().map(|cell| (cell.kind, cell.text.clone())).collect()
 }
 
-/// Requires that edits change only one block and turn the form into `expected`; otherwise `refusal` or
-/// [`EditError::ChangesOthers`].
+/// Requires that edits change only these blocks and turn the form into `expected`; otherwise [`EditError::ChangesOthers`] or
+/// `refusal`.
 pub(super) fn expect(
-    outline: &Outline,
-    edits: &[Edit],
-    (block, expected): (usize, &[Vec<(CellKind, String)>]),
-    refusal: EditError,
-) -> Result<(), EditError> {
-    expect_in(outline, edits, &[block], expected, refusal)
-}
-
-/// Requires that edits change only these blocks and turn the form into `expected`.
-pub(super) fn expect_in(
     outline: &Outline,
     edits: &[Edit],
     blocks: &[usize],
     expected: &[Vec<(CellKind, String)>],
     refusal: EditError,
 ) -> Result<(), EditError> {
-    let text = result(outline, edits)?;
-    if !Layout::of(outline).differs_only_in(blocks, &text) {
-        return Err(EditError::ChangesOthers);
-    }
-    let after = read(&text);
-    let parts = structure(&after);
-    let is_same = |(part, cells): (&Part, &Vec<(CellKind, String)>)| {
-        let whole = |span: Span| (CellKind::Text, text[span.range()].to_owned());
-        texts(part) == *cells || cells.as_slice() == [whole(part.span)]
+    let is_expected = |after: &Outline| {
+        let parts = structure(after);
+        let is_same = |(part, cells): (&Part, &Vec<(CellKind, String)>)| {
+            let whole = |span: Span| (CellKind::Text, after.source()[span.range()].to_owned());
+            texts(part) == *cells || cells.as_slice() == [whole(part.span)]
+        };
+        parts.len() == expected.len() && parts.iter().zip(expected).all(is_same)
     };
-    if parts.len() == expected.len() && parts.iter().zip(expected).all(is_same) { Ok(()) } else { Err(refusal) }
+    layout::expect(outline, edits, |block, _| blocks.contains(&block), is_expected, refusal)
 }

@@ -5,7 +5,7 @@ use crate::FrontMatter;
 use crate::blocks::front_matter;
 use crate::text::block::{Block, BlockKind};
 use crate::text::fences;
-use crate::text::outline::{LENGTH, Outline};
+use crate::text::outline::{LENGTH, Outline, read};
 
 /// Entries of the front matter and contents of the blocks, without places.
 #[derive(Debug, PartialEq, Eq)]
@@ -51,25 +51,11 @@ impl Layout {
         Self { entries: self.entries, blocks }
     }
 
-    /// True if a text has the same front matter and blocks, apart from the contents of `blocks`.
-    pub(super) fn differs_only_in(mut self, blocks: &[usize], text: &str) -> bool {
-        let mut other = Self::read(text);
-        for &block in blocks {
-            if let (Some((_, content)), Some((_, other))) = (self.blocks.get_mut(block), other.blocks.get_mut(block)) {
-                content.clear();
-                other.clear();
-            }
-        }
-        self == other
-    }
-
-    /// True if a text has the same front matter and blocks, apart from the contents of the blocks of one kind.
-    pub(super) fn differs_only_in_kind(mut self, kind: BlockKind, text: &str) -> bool {
-        let mut other = Self::read(text);
-        for (own, content) in self.blocks.iter_mut().chain(&mut other.blocks) {
-            if *own == kind {
-                content.clear();
-            }
+    /// True if the layout of a text is the same, apart from the contents of the blocks that `may_differ` by index and kind.
+    fn differs_only_in(mut self, may_differ: impl Fn(usize, BlockKind) -> bool, mut other: Self) -> bool {
+        for layout in [&mut self, &mut other] {
+            let changed = layout.blocks.iter_mut().enumerate().filter(|(block, (kind, _))| may_differ(*block, *kind));
+            changed.for_each(|(_, (_, content))| content.clear());
         }
         self == other
     }
@@ -78,6 +64,23 @@ impl Layout {
     pub(super) fn expect_of(self, outline: &Outline, edits: &[Edit]) -> Result<(), EditError> {
         let text = result(outline, edits)?;
         if Self::read(&text).normalised() == self.normalised() { Ok(()) } else { Err(EditError::ChangesOthers) }
+    }
+}
+
+/// Requires that `edits` change only the contents of blocks that `may_differ` by index and kind, and that the text after them
+/// `is_expected`; otherwise [`EditError::ChangesOthers`] or `refusal`.
+pub(super) fn expect(
+    outline: &Outline,
+    edits: &[Edit],
+    may_differ: impl Fn(usize, BlockKind) -> bool,
+    is_expected: impl FnOnce(&Outline) -> bool,
+    refusal: EditError,
+) -> Result<(), EditError> {
+    let text = result(outline, edits)?;
+    match Layout::of(outline).differs_only_in(may_differ, Layout::read(&text)) {
+        false => Err(EditError::ChangesOthers),
+        true if is_expected(&read(&text)) => Ok(()),
+        true => Err(refusal),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::blocks::{insert_block, remove_block};
 use super::columns::keeping_columns;
-use super::layout::{Layout, begin_line, line_end, result, with_line_ends_of};
+use super::layout::{self, begin_line, line_end, with_line_ends_of};
 use super::lines::{exchanged, lines_around};
 use super::obstacle::Obstacle;
 use super::{Edit, EditError};
@@ -116,7 +116,7 @@ pub fn add_plot(outline: &Outline, plot: &NewPlot) -> Result<Edit, EditError> {
     expected.push(cells.map(|(kind, text)| (kind, text.to_owned())).to_vec());
     if outline.blocks_of(BlockKind::Plots).next().is_some() {
         expect(outline, std::slice::from_ref(&edit), &expected, refusal())?;
-    } else if !are(&plots(&read(&result(outline, std::slice::from_ref(&edit))?)), &expected) {
+    } else if !are(&plots(&read(&layout::result(outline, std::slice::from_ref(&edit))?)), &expected) {
         return Err(refusal());
     }
     Ok(edit)
@@ -243,9 +243,6 @@ fn expect(
     expected: &[Vec<(PlotCell, String)>],
     refusal: EditError,
 ) -> Result<(), EditError> {
-    let text = result(outline, edits)?;
-    if !Layout::of(outline).differs_only_in_kind(BlockKind::Plots, &text) {
-        return Err(EditError::ChangesOthers);
-    }
-    if are(&plots(&read(&text)), expected) { Ok(()) } else { Err(refusal) }
+    let is_plots = |_, kind| kind == BlockKind::Plots;
+    layout::expect(outline, edits, is_plots, |after| are(&plots(after), expected), refusal)
 }

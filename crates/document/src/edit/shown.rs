@@ -1,6 +1,6 @@
 //! Edits of the order, labels and visibility of controls and values.
 
-use super::cell::expect_in;
+use super::cell::expect;
 use super::layout::{line_end, with_line_ends_of};
 use super::lines::{exchanged, lines_around};
 use super::obstacle::Obstacle;
@@ -23,7 +23,7 @@ pub fn exchange_statements(outline: &Outline, one: usize, other: usize) -> Resul
     let edits = exchanged(source, first.span, second.span);
     let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(|part| whole(source, part)).collect();
     expected.swap(one, other);
-    expect_in(outline, &edits, &[first.block, second.block], &expected, EditError::ChangesOthers)?;
+    expect(outline, &edits, &[first.block, second.block], &expected, EditError::ChangesOthers)?;
     Ok(edits)
 }
 
@@ -107,7 +107,7 @@ pub fn add_group(outline: &Outline, name: &str) -> Result<Vec<Edit>, EditError> 
     let edits = vec![Edit { span: Span::new(at, at), text: format!("{written}{}", line_end(source)) }];
     let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(|part| whole(source, part)).collect();
     expected.insert(number, vec![(CellKind::Text, written)]);
-    expect_in(outline, &edits, &[part.block], &expected, EditError::ChangesOthers)?;
+    expect(outline, &edits, &[part.block], &expected, EditError::ChangesOthers)?;
     Ok(edits)
 }
 
@@ -123,7 +123,7 @@ fn changed(outline: &Outline, parts: &[Part], number: usize, edit: Edit) -> Resu
         *cells = vec![(CellKind::Text, text)];
     }
     let edits = vec![edit];
-    expect_in(outline, &edits, &[part.block], &expected, EditError::NotOneCell(Obstacle::Other))?;
+    expect(outline, &edits, &[part.block], &expected, EditError::NotOneCell(Obstacle::Other))?;
     Ok(edits)
 }
 

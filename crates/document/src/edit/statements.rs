@@ -46,7 +46,7 @@ pub fn add_statement(outline: &Outline, section: Section, text: &str) -> Result<
     let place = parts.iter().take_while(|part| part.span.end <= edit.span.start).count();
     let added = added.iter().map(|statement| vec![(CellKind::Text, text[statement.span.range()].to_owned())]);
     expected.splice(place..place, added);
-    expect(outline, std::slice::from_ref(&edit), (block, &expected), EditError::NotOneStatement)?;
+    expect(outline, std::slice::from_ref(&edit), &[block], &expected, EditError::NotOneStatement)?;
     Ok(edit)
 }
 
@@ -71,6 +71,6 @@ pub fn remove_statement(outline: &Outline, number: usize) -> Result<Edit, EditEr
     let whole = |part: &Part| vec![(CellKind::Text, source[part.span.range()].to_owned())];
     let mut expected: Vec<Vec<(CellKind, String)>> = parts.iter().map(whole).collect();
     expected.remove(number);
-    expect(outline, std::slice::from_ref(&edit), (part.block, &expected), EditError::ChangesOthers)?;
+    expect(outline, std::slice::from_ref(&edit), &[part.block], &expected, EditError::ChangesOthers)?;
     Ok(edit)
 }

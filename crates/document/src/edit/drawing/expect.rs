@@ -1,9 +1,7 @@
 //! Checks of a drawing after an edit.
 
 use crate::drawing::{Drawing, Item, read};
-use crate::edit::layout::{Layout, result};
-use crate::edit::{Edit, EditError, Obstacle};
-use crate::text::outline;
+use crate::edit::{Edit, EditError, Obstacle, layout};
 use crate::text::outline::Outline;
 
 /// An element without its places: name, number of enclosing frames and groups, attributes.
@@ -39,11 +37,7 @@ pub(super) fn expect(
     edits: &[Edit],
     expected: &[Shape],
 ) -> Result<(), EditError> {
-    let text = result(outline, edits)?;
-    if !Layout::of(outline).differs_only_in(&[drawing.block], &text) {
-        return Err(EditError::ChangesOthers);
-    }
-    let after = outline::read(&text);
-    let is_same = read(&after).is_some_and(|drawing| shapes(&text, &drawing) == expected);
-    if is_same { Ok(()) } else { Err(EditError::NotOneElement(Obstacle::Other)) }
+    let is_expected = |after: &Outline| read(after).is_some_and(|drawing| shapes(after.source(), &drawing) == expected);
+    let refusal = EditError::NotOneElement(Obstacle::Other);
+    layout::expect(outline, edits, |block, _| block == drawing.block, is_expected, refusal)
 }

@@ -34,5 +34,5 @@ pub use refusal::{Refusal, listed, plain};
 pub use settings::{Settings, no_seats, setup, take_seat};
 pub use sweep::{Outcome, Sweep, threads, use_threads};
 pub use sweeping::{kept, plan};
-pub use table::{ColumnValues, Table, TableColumn, chosen_columns, sweep_columns};
+pub use table::{ColumnValues, Table, TableColumn, chosen_columns};
 pub use values::{Reader, positive, within_range};

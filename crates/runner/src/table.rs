@@ -58,6 +58,15 @@ impl ColumnValues {
 }
 
 impl Table {
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |column| match &column.values {
+            ColumnValues::Numbers(values) => values.len(),
+            ColumnValues::Truths(values) => values.len(),
+            ColumnValues::Texts(values) => values.len(),
+        })
+    }
+
     /// A table without rows, with the columns of a table of a run.
     pub fn of_run(table: &engine::table::Table) -> Self {
         let columns = table.columns().iter().zip(table.kinds());
@@ -119,7 +128,7 @@ pub fn chosen_columns(model: &Model, names: &[&str]) -> Result<engine::table::Ta
 }
 
 /// Columns of a table of many runs: of the axes, and of what is kept.
-pub fn sweep_columns(model: &Model, plan: &Plan, outcomes: &Outcomes) -> [Vec<Column>; 2] {
+fn sweep_columns(model: &Model, plan: &Plan, outcomes: &Outcomes) -> [Vec<Column>; 2] {
     let axes = plan.axes().iter().filter_map(|axis| model.parameters.get(axis.parameter));
     let axes = axes.map(|parameter| (parameter.name.as_str(), &parameter.unit));
     let kept = outcomes.curves.iter().map(|curve| {

@@ -20,6 +20,7 @@ Examples:
   meniscus sweep pendulum.md --over 'theta_0 = 10, 45, 90 [deg]' --over 'b in 0..1 step 0.1' --keep 'mean(E)'
   meniscus sweep utube.md --over 'b in 0..400' --over 'h_l in 2..4' --random 10000 --keep 'y at end' --output runs.csv
   meniscus sweep utube.md .. --shard 3/16 --output runs-03.csv     one of 16 jobs; together their rows are the whole table
+  meniscus sweep utube.md .. --output runs.arrow                   for pyarrow, pandas, polars or R, with the units of the columns
 
 Each row has the number of its run, the values of the parameters and what was kept. The rows are the same on any number of
 processors and in any division into shards. A run that cannot be computed has empty cells; why is said at the end.";
@@ -63,7 +64,7 @@ pub struct Sweep {
     #[command(flatten)]
     pub settings: RunSettings,
 
-    /// Write into this file, which appears whole or not at all [default: the standard output]
+    /// Write into this file, which appears whole or not at all: Arrow's format if it ends with .arrow, otherwise CSV [default: the standard output]
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -1,6 +1,7 @@
 //! `meniscus sweep`: runs a document with many values of its parameters and writes what is kept of each run.
 
 pub(crate) mod arguments;
+mod rows;
 
 use crate::failure::Failure;
 use crate::run::{Prepared, failed, prepare};
@@ -10,11 +11,8 @@ use crate::terminal::progress;
 use arguments::Sweep;
 use document::Document;
 use engine::RunError;
-use engine::csv::Dialect;
-use program::Outcomes;
-use runner::{Outcome, Plan, Points, Sources, sweep_columns};
-use std::fmt::Write as _;
-use std::io::Write as _;
+use rows::Rows;
+use runner::{Outcome, Plan, Points, Sources, Table};
 use std::ops::Range;
 use std::time::{Duration, Instant};
 use units::words;
@@ -41,16 +39,17 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
     let sweep = runner::Sweep::new(&document.program.model, (&setup, until), &plan, &outcomes);
     let runs = plan.share(arguments.shard.number, arguments.shard.of.get());
     let progress = progress::bar(runs.end - runs.start, "runs", arguments.output.as_deref());
-    let mut table = Table::new(output, &document, &plan, &outcomes);
+    let path = arguments.output.as_deref();
+    let table = |runs: &[Outcome]| Table::of_runs(&document.program.model, &plan, &outcomes, runs);
+    let mut rows = Rows::begin(output, path, &table(&[]))?;
     let mut missing = Missing::default();
     let (mut next, mut together) = (runs.start, runner::threads() as u64);
     while next < runs.end {
         let part = next..runs.end.min(next + together);
         let begun = Instant::now();
-        for outcome in sweep.compute(part.clone()) {
-            table.row(&outcome)?;
-            missing.note(outcome);
-        }
+        let computed = sweep.compute(part.clone());
+        rows.write(&table(&computed), path)?;
+        computed.into_iter().for_each(|outcome| missing.note(outcome));
         next = part.end;
         progress.set_position(next - runs.start);
         if begun.elapsed() < TOGETHER {
@@ -58,7 +57,7 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
         }
     }
     progress.finish_and_clear();
-    table.finish()?;
+    rows.finish(path)?;
     missing.report(&runs, (&sources, &document), terminal)
 }
 
@@ -72,63 +71,6 @@ fn plan(document: &mut Document, arguments: &Sweep, parameters: &[f64]) -> Resul
         _ => Points::Grid,
     };
     Ok(runner::plan(&document.program.model, axes, points, &arguments.over)?)
-}
-
-/// Writer of the rows, as CSV.
-struct Table<'a> {
-    output: Output,
-    document: &'a Document,
-    plan: &'a Plan,
-    /// Number of columns with what is kept.
-    kept: usize,
-    text: String,
-}
-
-impl<'a> Table<'a> {
-    fn new(output: Output, document: &'a Document, plan: &'a Plan, outcomes: &Outcomes) -> Self {
-        let mut text = "run".to_owned();
-        for column in sweep_columns(&document.program.model, plan, outcomes).iter().flatten() {
-            text.push(',');
-            // Writing to a string cannot fail.
-            let _ = Dialect::Lines.text(&mut text, &column.heading());
-        }
-        text.push('\n');
-        Self { output, document, plan, kept: outcomes.curves.len(), text }
-    }
-
-    fn row(&mut self, outcome: &Outcome) -> Result<(), Failure> {
-        let parameters = &self.document.program.model.parameters;
-        let text = &mut self.text;
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{}", outcome.run + 1);
-        for (axis, value) in self.plan.axes().iter().zip(&outcome.axes) {
-            text.push(',');
-            if let Some(parameter) = parameters.get(axis.parameter) {
-                let _ = match parameter.word(*value, &self.document.program.model.texts) {
-                    Some(word) => Dialect::Lines.text(text, word),
-                    None => Dialect::Lines.number(text, parameter.unit.from_si(*value)),
-                };
-            }
-        }
-        let taken = outcome.taken.as_deref().unwrap_or_default();
-        for number in 0..self.kept {
-            text.push(',');
-            let _ = Dialect::Lines.number(text, taken.get(number).copied().unwrap_or(f64::NAN));
-        }
-        text.push('\n');
-        self.write()
-    }
-
-    fn write(&mut self) -> Result<(), Failure> {
-        let written = self.output.write_all(self.text.as_bytes());
-        self.text.clear();
-        written.map_err(|error| self.output.failure(&error))
-    }
-
-    fn finish(mut self) -> Result<(), Failure> {
-        self.write()?;
-        self.output.finish()
-    }
 }
 
 /// Runs that could not be computed.

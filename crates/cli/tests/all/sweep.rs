@@ -1,6 +1,11 @@
 //! `meniscus sweep`: the rows are what single runs give, in any division of the work.
 
 use crate::common::{Done, SPRING, directory_with, meniscus, numbers};
+use arrow_array::cast::AsArray;
+use arrow_array::types::Float64Type;
+use arrow_array::{Array, ArrayRef, RecordBatch};
+use arrow_ipc::reader::FileReader;
+use arrow_schema::Field;
 
 /// A damped oscillation, whose closed form is known, and a switch.
 const DAMPED: &str = "---\nuntil: 2 [s]\nstep: 0.001\n---\n\n```model\nparameter gamma = 0.3 [1/s] in 0..5\nparameter x_0 = 2 [cm] in 1..9\n\
@@ -139,4 +144,47 @@ fn what_cannot_be_swept_is_said() {
     }
     let twice = sweep(SPRING, &["--over", "k = 1", "--over", "k = 2", "--keep", "x at end"]);
     assert!(twice.stderr.contains("--over names the parameter k twice"), "{}", twice.stderr);
+}
+
+/// A file of Arrow's format has the bits, units and words of the table.
+#[test]
+fn arrow_files_have_the_same_numbers_with_units() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = directory.path().join("runs.arrow");
+    let words = [
+        "--over",
+        "x_0 = 2, 3 [cm]",
+        "--over",
+        "damped = on, off",
+        "--keep",
+        "x at end in [mm], sqrt(x_0/(1 [cm]) - 3) at end",
+    ];
+    let whole = [&words[..], &["--output", output.to_str().unwrap()]].concat();
+    let done = sweep(DAMPED, &whole);
+    assert_eq!((done.code, done.stdout.as_str()), (0, ""), "{}", done.stderr);
+    let reader = FileReader::try_new(std::fs::File::open(&output).unwrap(), None).unwrap();
+    let schema = reader.schema();
+    let named = |field: &Field| (field.name().clone(), field.metadata().get("unit").cloned().unwrap_or_default());
+    let fields: Vec<(String, String)> = schema.fields().iter().map(|field| named(field)).collect();
+    let expected =
+        [("run", ""), ("x_0", "cm"), ("damped", ""), ("x at end", "mm"), ("sqrt(x_0/(1 [cm]) - 3) at end", "")];
+    assert_eq!(fields, expected.map(|(name, unit)| (name.to_owned(), unit.to_owned())));
+    let batches: Vec<RecordBatch> = reader.map(Result::unwrap).collect();
+    let mut lines = vec!["run,x_0 [cm],damped,x at end [mm],sqrt(x_0/(1 [cm]) - 3) at end".to_owned()];
+    for batch in &batches {
+        for row in 0..batch.num_rows() {
+            let cell = |column: &ArrayRef| match column.as_string_opt::<i32>() {
+                _ if column.is_null(row) => String::new(),
+                Some(texts) => texts.value(row).to_owned(),
+                None => column.as_primitive::<Float64Type>().value(row).to_string(),
+            };
+            lines.push(batch.columns().iter().map(cell).collect::<Vec<_>>().join(","));
+        }
+    }
+    let numbers = |text: &str| -> Vec<Vec<String>> {
+        let cell =
+            |cell: &str| cell.parse::<f64>().map_or(cell.to_owned(), |number| format!("{:016x}", number.to_bits()));
+        text.lines().map(|line| line.split(',').map(cell).collect()).collect()
+    };
+    assert_eq!(numbers(&lines.join("\n")), numbers(&sweep(DAMPED, &words).stdout));
 }

@@ -57,8 +57,22 @@ const ARROWS: [(&str, &[&str]); 26] = [
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
 const CORE: [&str; 16] = [
-    "units", "elementary", "program", "model", "document", "engine", "runner", "emit", "analysis", "film", "figure", "report",
-    "play", "saved", "desk", "class",
+    "units",
+    "elementary",
+    "program",
+    "model",
+    "document",
+    "engine",
+    "runner",
+    "emit",
+    "analysis",
+    "film",
+    "figure",
+    "report",
+    "play",
+    "saved",
+    "desk",
+    "class",
 ];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];

@@ -5,15 +5,16 @@
 //! and each lane has the bits of the scalar function. Where a scalar function takes a shorter way (a small angle, one
 //! quadrant), the omitted operations would not have changed a bit.
 //!
-//! The error is below [`ULPS`]. Arguments for which this code is not exact enough, all infinities and NaN go to `libm`:
-//! angles beyond 10^5, subnormal and negative numbers in logarithms and powers.
+//! The error is below [`ULPS`]. Rare arguments go to `libm`: angles beyond 10^5, logarithms and powers of numbers that are not
+//! positive and normal, exponents beyond 10^18, angles of points with a coordinate of 0 or an extreme one.
 //!
 //! Coefficients of polynomials are minimax coefficients (Remez), rounded one after the other; the others are fitted again
 //! after each rounding.
 //!
 //! Why no library, November 2026: `sleef` 0.3 needs `portable_simd` of the nightly compiler; `wide` 1.7 and `pxfm` 0.1 fuse
-//! multiplication and addition where the processor can, so that bits depend on it; `simdeez` 3.0 promises 35 units in the
-//! last place; `fpmath` 0.1 and `libm` 0.2 branch in every function; `pulp` and `fearless_simd` have no elementary functions.
+//! multiplication and addition where the processor can, so that bits depend on it; `alice-det-math` 0.3 has lanes of `f32`
+//! only; `simdeez` 3.0 promises 35 units in the last place; `fpmath` 0.1 and `libm` 0.2 branch in every function; `pulp` and
+//! `fearless_simd` have no elementary functions.
 
 mod arctangent;
 mod circular;

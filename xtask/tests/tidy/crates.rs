@@ -4,11 +4,12 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 25] = [
+const ARROWS: [(&str, &[&str]); 26] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
-    ("program", &["units"]),
+    ("elementary", &[]),
+    ("program", &["elementary", "units"]),
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
@@ -55,9 +56,23 @@ const ARROWS: [(&str, &[&str]); 25] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 15] = [
-    "units", "program", "model", "document", "engine", "runner", "emit", "analysis", "film", "figure", "report",
-    "play", "saved", "desk", "class",
+const CORE: [&str; 16] = [
+    "units",
+    "elementary",
+    "program",
+    "model",
+    "document",
+    "engine",
+    "runner",
+    "emit",
+    "analysis",
+    "film",
+    "figure",
+    "report",
+    "play",
+    "saved",
+    "desk",
+    "class",
 ];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];

@@ -72,9 +72,9 @@ fn golden_runs() {
         [0x0733_22b0_aaaa_a2de, 0x39dc_ad81_2adc_d117],
         [0x66f7_e21b_f15e_f06e, 0xd4b8_c775_337b_17ae],
         [0x20eb_e177_534b_1a65, 0x4ded_038f_dafb_b528],
-        [0x8426_e105_a776_4702, 0x8b49_c329_1b8c_0a40],
-        [0xfb5d_9201_79e1_53c6, 0xc9f4_fabe_c981_a512],
-        [0x5160_bf33_09ca_1bf2, 0x52b8_e6eb_484d_b922],
+        [0x8426_e105_a776_4702, 0x9980_99bb_7139_f57b],
+        [0xfb5d_9201_79e1_53c6, 0x9ff2_ccfd_eebc_36e4],
+        [0x5160_bf33_09ca_1bf2, 0xc91b_8596_a2a6_3c9c],
     ];
     assert_eq!(prints, expected);
 }

@@ -155,7 +155,7 @@ impl Graph {
             return self.folded(Binary::Power, a, b);
         };
         if let Some(base) = self.as_constant(a) {
-            return self.constant(libm::pow(base, exponent));
+            return self.constant(Binary::Power.evaluate(base, exponent));
         }
         let magnitude = exponent.abs();
         let whole = magnitude.floor();

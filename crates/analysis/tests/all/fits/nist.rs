@@ -127,7 +127,13 @@ fn certified_values_are_reached_from_both_starts() {
             // Lanczos1 is exact: its residuals are the rounding of its data to 14 digits, and depend on the order of
             // operations.
             let exact = problem.name == "Lanczos1";
-            let [values, deviations] = if exact { [1e-9, 1e-2] } else { [2e-8, 2e-8] };
+            // Those of Lanczos3 depend on each other: steps end within 1e-6 of a standard deviation, where the sum is constant to
+            // rounding.
+            let [values, deviations] = match problem.name {
+                "Lanczos1" => [1e-9, 1e-2],
+                "Lanczos3" => [2e-7, 2e-7],
+                _ => [2e-8, 2e-8],
+            };
             let near = |found: f64, certified: f64, tolerance: f64| (found / certified - 1.0).abs() < tolerance;
             assert!(near(Problem::sum_of(&outcome), problem.sum, if exact { 1e-2 } else { 1e-9 }), "{what}: sum");
             // With errors of 1 the standard errors are those of unit variance.

@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 25] = [
+const ARROWS: [(&str, &[&str]); 26] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
@@ -12,8 +12,9 @@ const ARROWS: [(&str, &[&str]); 25] = [
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
+    ("ensemble", &["engine", "program"]),
     // It opens documents and projects, reads records, and says what a fit has found as report pages do.
-    ("runner", &["analysis", "document", "engine", "model", "program", "report", "saved", "units"]),
+    ("runner", &["analysis", "document", "engine", "ensemble", "model", "program", "report", "saved", "units"]),
     ("emit", &["engine", "program"]),
     ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
@@ -55,9 +56,9 @@ const ARROWS: [(&str, &[&str]); 25] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 15] = [
-    "units", "program", "model", "document", "engine", "runner", "emit", "analysis", "film", "figure", "report",
-    "play", "saved", "desk", "class",
+const CORE: [&str; 16] = [
+    "units", "program", "model", "document", "engine", "ensemble", "runner", "emit", "analysis", "film", "figure",
+    "report", "play", "saved", "desk", "class",
 ];
 const OUTSIDE: [&str; 8] =
     ["std::fs", "std::net", "std::env", "std::process", "std::time", "std::thread", "web_sys", "js_sys"];

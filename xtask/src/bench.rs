@@ -171,13 +171,22 @@ const ENSEMBLES: [(&str, &str, &str); 3] = [
     ("lanes", "with all features", "at least 5.5 with AVX-512"),
 ];
 
-/// Prints the rate of steps of 64 runs side by side.
+/// Prints the rate of steps of 64 runs side by side, and the speed of sweeps.
 fn ensembles(numbers: &Numbers) {
     let Some(best) = numbers.get("lanes-best") else { return };
     for (name, features, aim) in ENSEMBLES {
         if let Some(lanes) = numbers.get(name) {
             row(&format!("RK4 steps of 64 U-tubes {features}"), *lanes, "million/s", "");
             row("ratio to the best loop for one", lanes / best, "", aim);
+        }
+    }
+    for (name, title, unit, aim) in [
+        ("sweep-call", "sweep of 64 short runs, prepared", "us", "at most 30"),
+        ("sweep-utube", "sweep of 64 U-tubes side by side", "times as fast", "as one by one"),
+        ("sweep-bouncing-ball", "sweep of 64 bouncing balls", "times as fast", "as one by one"),
+    ] {
+        if let Some(value) = numbers.get(name) {
+            row(title, *value, unit, aim);
         }
     }
 }
@@ -230,9 +239,10 @@ fn row(title: &str, value: f64, unit: &str, aim: &str) {
 }
 
 fn native() -> Result<Numbers> {
-    const EXAMPLES: [(&str, &str); 5] = [
+    const EXAMPLES: [(&str, &str); 6] = [
         ("probe", "pace"),
         ("probe", "ensembles"),
+        ("runner", "sweeps"),
         ("probe", "systems"),
         ("probe", "fits"),
         ("analysis", "import_rows"),

@@ -38,6 +38,7 @@ pub fn all(commit: bool) -> Result<()> {
     println!();
     println!("processor: {}; load before the measurement: {load}", ratios::features());
     pace("natively", &native, "");
+    ensembles(&native);
     pace(place, &web, "wasm-");
     emitted_rows(&web);
     systems("natively", &native, ["at most 0.88", "at most 6", ""]);
@@ -137,6 +138,11 @@ fn found_ratios(native: &Numbers, web: &Numbers) -> Ratios {
         }
         keep("fit of an equation of motion, emitted to interpreted", "fit-motion", "fit-motion-emitted");
     }
+    for (name, features, _) in ENSEMBLES {
+        if let (Some(lanes), Some(best)) = (native.get(name), native.get("lanes-best")) {
+            found.insert(format!("64 U-tubes {features} to the best loop for one"), lanes / best);
+        }
+    }
     let emitted = web.iter().filter_map(|(name, times)| Some((name.strip_prefix("shipped-")?, times)));
     found.extend(emitted.map(|(document, times)| (format!("{document}, emitted to interpreted"), *times)));
     found
@@ -154,6 +160,33 @@ fn pace(place: &str, numbers: &Numbers, prefix: &str) {
         if let Some(emitted) = number("emitted") {
             row("in emitted code", *emitted, unit, "");
             row("ratio of that", emitted / best, "", "at least 0.85");
+        }
+    }
+}
+
+/// Ensembles of the U-tube on one core: number of the measurement, features, aim of the ratio to the best loop for one run.
+const ENSEMBLES: [(&str, &str, &str); 3] = [
+    ("lanes-least", "with SSE2", "at least 2.6"),
+    ("lanes-avx2", "with AVX2", "at least 4.5"),
+    ("lanes", "with all features", "at least 5.5 with AVX-512"),
+];
+
+/// Prints the rate of steps of 64 runs side by side, and the speed of sweeps.
+fn ensembles(numbers: &Numbers) {
+    let Some(best) = numbers.get("lanes-best") else { return };
+    for (name, features, aim) in ENSEMBLES {
+        if let Some(lanes) = numbers.get(name) {
+            row(&format!("RK4 steps of 64 U-tubes {features}"), *lanes, "million/s", "");
+            row("ratio to the best loop for one", lanes / best, "", aim);
+        }
+    }
+    for (name, title, unit, aim) in [
+        ("sweep-call", "sweep of 64 short runs, prepared", "us", "at most 30"),
+        ("sweep-utube", "sweep of 64 U-tubes side by side", "times as fast", "as one by one"),
+        ("sweep-bouncing-ball", "sweep of 64 bouncing balls", "times as fast", "as one by one"),
+    ] {
+        if let Some(value) = numbers.get(name) {
+            row(title, *value, unit, aim);
         }
     }
 }
@@ -206,8 +239,14 @@ fn row(title: &str, value: f64, unit: &str, aim: &str) {
 }
 
 fn native() -> Result<Numbers> {
-    const EXAMPLES: [(&str, &str); 4] =
-        [("probe", "pace"), ("probe", "systems"), ("probe", "fits"), ("analysis", "import_rows")];
+    const EXAMPLES: [(&str, &str); 6] = [
+        ("probe", "pace"),
+        ("probe", "ensembles"),
+        ("runner", "sweeps"),
+        ("probe", "systems"),
+        ("probe", "fits"),
+        ("analysis", "import_rows"),
+    ];
     let mut all = Numbers::new();
     for (package, example) in EXAMPLES {
         let arguments = ["run", "--release", "--quiet", "--package", package, "--example", example];

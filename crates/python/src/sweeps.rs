@@ -10,7 +10,7 @@ use program::Outcomes;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
 use runner::fitting::Theory;
-use runner::{Axis, Outcome, Plan, Points, Refusal, Sources, Sweep, Values, within_range};
+use runner::{Axis, Outcome, Plan, Points, Refusal, Sources, Sweep, SweepCode, Values, within_range};
 use std::sync::Arc;
 use units::words;
 
@@ -27,6 +27,7 @@ pub struct Kept {
     axes: Vec<Axis>,
     prepared: Prepared,
     outcomes: Outcomes,
+    code: SweepCode,
 }
 
 /// A parameter and its values.
@@ -94,8 +95,10 @@ impl Request {
         let axes = self.texts.iter().map(|text| runner::axis(&mut prepared.document, text, &parameters));
         let axes = axes.collect::<Result<_, _>>()?;
         let outcomes = runner::kept(&mut prepared.document, &self.keep)?;
+        let Prepared { document, setup, until } = &prepared;
+        let code = SweepCode::new(&document.program.model, (setup, *until), &outcomes);
         let (asked, keep, texts) = (self.asked.clone(), self.keep.clone(), self.texts.clone());
-        Ok(Kept { asked, keep, texts, axes, prepared, outcomes })
+        Ok(Kept { asked, keep, texts, axes, prepared, outcomes, code })
     }
 
     /// Computes the runs.
@@ -103,7 +106,7 @@ impl Request {
         let Prepared { document, setup, until } = &kept.prepared;
         let model = &document.program.model;
         let plan = self.plan(kept).map_err(|refusal| refused(py, &refusal))?;
-        let sweep = Sweep::new(model, (setup, *until), &plan, &kept.outcomes);
+        let sweep = Sweep::new(model, (setup, *until), &plan, (&kept.outcomes, &kept.code));
         let runs = plan.share(self.shard.0, self.shard.1);
         let mut outcomes = Vec::new();
         let mut next = runs.start;

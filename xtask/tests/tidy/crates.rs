@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 26] = [
+const ARROWS: [(&str, &[&str]); 27] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
@@ -13,8 +13,9 @@ const ARROWS: [(&str, &[&str]); 26] = [
     ("model", &["program", "units"]),
     ("figure", &["units"]),
     ("engine", &["program", "units"]),
+    ("ensemble", &["elementary", "engine", "program"]),
     // It opens documents and projects, reads records, and says what a fit has found as report pages do.
-    ("runner", &["analysis", "document", "engine", "model", "program", "report", "saved", "units"]),
+    ("runner", &["analysis", "document", "engine", "ensemble", "model", "program", "report", "saved", "units"]),
     ("emit", &["engine", "program"]),
     ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
@@ -56,13 +57,14 @@ const ARROWS: [(&str, &[&str]); 26] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 16] = [
+const CORE: [&str; 17] = [
     "units",
     "elementary",
     "program",
     "model",
     "document",
     "engine",
+    "ensemble",
     "runner",
     "emit",
     "analysis",

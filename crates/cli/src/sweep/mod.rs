@@ -36,14 +36,15 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
         Some(path) => Output::to(path, &sources)?,
         None => Output::standard(),
     };
-    let sweep = runner::Sweep::new(&document.program.model, (&setup, until), &plan, &outcomes);
+    let code = runner::SweepCode::new(&document.program.model, (&setup, until), &outcomes);
+    let sweep = runner::Sweep::new(&document.program.model, (&setup, until), &plan, (&outcomes, &code));
     let runs = plan.share(arguments.shard.number, arguments.shard.of.get());
     let progress = progress::bar(runs.end - runs.start, "runs", arguments.output.as_deref());
     let path = arguments.output.as_deref();
     let table = |runs: &[Outcome]| Table::of_runs(&document.program.model, &plan, &outcomes, runs);
     let mut rows = Rows::begin(output, path, &table(&[]))?;
     let mut missing = Missing::default();
-    let (mut next, mut together) = (runs.start, runner::threads() as u64);
+    let (mut next, mut together) = (runs.start, runner::Sweep::LEAST * runner::threads() as u64);
     while next < runs.end {
         let part = next..runs.end.min(next + together);
         let begun = Instant::now();

@@ -4,7 +4,7 @@ use super::compile::compile;
 use crate::code::instruction::Operation;
 use crate::code::lines::{Line, lines};
 use crate::code::{Code, Register, run};
-use crate::compiled::listing::Formulas;
+use crate::compiled::listing::{Formulas, Preparation};
 use program::{Graph, Interpolation, Model, NodeId};
 use std::sync::Arc;
 
@@ -111,16 +111,21 @@ impl Routine {
     }
 
     /// The operations as formulas whose interpolations are appended to `interpolations`; `None` if they solve linear systems.
-    pub(crate) fn formulas(&self, interpolations: &mut Vec<Arc<Interpolation>>) -> Option<Formulas> {
+    pub fn formulas(&self, interpolations: &mut Vec<Arc<Interpolation>>) -> Option<Formulas> {
         let mut lines = self.lines()?;
-        let first = interpolations.len() as u32;
-        for line in &mut lines {
-            if let Operation::Piece(number) | Operation::Interpolated(number) = &mut line.operation {
-                *number += first;
-            }
-        }
+        renumber(&mut lines, interpolations.len());
         interpolations.extend(self.interpolations().iter().cloned());
         Some(Formulas { lines, roots: self.roots().to_vec(), registers: self.registers().len() })
+    }
+
+    /// The part of the code that runs when parameters or initial values change, for [`Routine::formulas`] whose interpolations
+    /// begin at the index `first`; `None` if it solves linear systems.
+    pub fn preparation(&self, first: usize) -> Option<Preparation> {
+        let Code { prologue, columns, parameters, initial, registers, .. } = &self.code;
+        let mut lines = lines(prologue, columns)?;
+        renumber(&mut lines, first);
+        let (parameters, initial) = (parameters.clone(), initial.clone());
+        Some(Preparation { lines, parameters, initial, registers: registers.clone() })
     }
 
     /// Values of the registers, those of constants, parameters and initial values prepared.
@@ -161,5 +166,14 @@ impl Routine {
     /// True if the last evaluation met a singular linear system.
     pub(crate) fn singular(&self) -> bool {
         self.code.systems.iter().any(|system| system.matrix.singular())
+    }
+}
+
+/// Numbers the interpolations of `lines` from `first` on.
+fn renumber(lines: &mut [Line], first: usize) {
+    for line in lines {
+        if let Operation::Piece(number) | Operation::Interpolated(number) = &mut line.operation {
+            *number += first as u32;
+        }
     }
 }

@@ -54,6 +54,19 @@ pub struct Formulas {
     pub registers: usize,
 }
 
+/// What precedes the operations of formulas when parameters or initial values have changed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Preparation {
+    /// Operations in an order in which they can be executed.
+    pub lines: Vec<Line>,
+    /// Index of each parameter, with its register. The held values of switches follow the parameters of the model.
+    pub parameters: Vec<(usize, Register)>,
+    /// Index of each state, with the register of its initial value.
+    pub initial: Vec<(usize, Register)>,
+    /// Values of all registers, of which only those of constants have a meaning here.
+    pub registers: Vec<f64>,
+}
+
 /// Reason why the steps of a stepper cannot be compiled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interpreted {

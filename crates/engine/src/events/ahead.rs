@@ -2,7 +2,7 @@
 
 use super::surfaces::Surfaces;
 use crate::Routine;
-use crate::compiled::listing::WindowListing;
+use crate::compiled::listing::{Preparation, WindowListing};
 use crate::compiled::window_layout::WindowLayout;
 use program::Interpolation;
 use std::sync::Arc;
@@ -17,6 +17,18 @@ impl Surfaces {
     fn routines(&self) -> [Option<&Routine>; 5] {
         let [values, slopes] = self.looks.as_ref().map_or([None; 2], |looks| looks.routines().map(Some));
         [Some(self.events.conditions()), self.switches.truths(), self.timetable.even(), values, slopes]
+    }
+
+    /// What precedes the formulas of [`Surfaces::window`], whose interpolations begin at the index `first`; `None` if it solves
+    /// linear systems.
+    pub fn preparations(&self, mut first: usize) -> Option<[Preparation; 5]> {
+        let mut preparations: [Preparation; 5] = Default::default();
+        for (preparation, routine) in preparations.iter_mut().zip(self.routines()) {
+            let Some(routine) = routine else { continue };
+            *preparation = routine.preparation(first)?;
+            first += routine.interpolations().len();
+        }
+        Some(preparations)
     }
 
     /// Registers of the formulas.

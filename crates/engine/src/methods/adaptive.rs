@@ -21,6 +21,23 @@ pub(crate) enum Pair {
     Rosenbrock(Rosenbrock),
 }
 
+/// Settings of the step control.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepControl {
+    /// Tolerance per step relative to the magnitude of each state.
+    pub tolerance: f64,
+    /// Lower bound of that magnitude, one value per state, SI units.
+    pub floors: Vec<f64>,
+    /// Lower bound of that magnitude as a fraction of the peak of the state.
+    pub below_peak: f64,
+    /// Upper bound of the step, SI units.
+    pub longest: f64,
+    /// Size proposed for the first step, SI units.
+    pub first: f64,
+    /// Error assumed for the step before the first one.
+    pub first_error: f64,
+}
+
 /// Reason why no step was possible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Stalled {
@@ -83,6 +100,23 @@ impl Adaptive {
             attempt: zeros.clone(),
             error: zeros,
         }
+    }
+
+    /// The settings of a run with rows `step` apart.
+    pub fn control(&self, step: f64) -> StepControl {
+        StepControl {
+            tolerance: self.tolerance,
+            floors: self.floors.clone(),
+            below_peak: self.below_peak,
+            longest: self.longest,
+            first: Self::FIRST_STEP * step,
+            first_error: Self::FIRST_ERROR,
+        }
+    }
+
+    /// The last step.
+    pub fn last(&self) -> &LastStep {
+        &self.last
     }
 
     /// Resets the controller for a new run with rows `step` apart.

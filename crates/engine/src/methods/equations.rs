@@ -5,7 +5,7 @@ use crate::code::instruction::Register;
 use crate::compiled::Compiled;
 use crate::compiled::block::Block;
 use crate::compiled::layout::Layout;
-use crate::compiled::listing::{Interpreted, Listing};
+use crate::compiled::listing::{Interpreted, Listing, Preparation};
 use crate::compiled::window::{Taken, Window};
 use crate::compiled::window_layout::WindowLayout;
 use crate::{Method, Routine};
@@ -116,6 +116,11 @@ impl Equations {
         self.order.as_ref().map(|order| order.states.as_slice())
     }
 
+    /// What precedes the operations of the listing; `None` if it solves linear systems.
+    pub fn preparation(&self) -> Option<Preparation> {
+        self.rates.preparation(0)
+    }
+
     /// The right-hand side for a compiler, with the pairs of states of velocity Verlet.
     pub fn listing(&self, method: Method, pairs: Vec<(usize, usize)>) -> Result<Listing, Interpreted> {
         let lines = self.rates.lines().ok_or(Interpreted::LinearSystem)?;
@@ -154,6 +159,11 @@ impl Equations {
         let mut window = Window::new(code, layout, checks, &self.still);
         window.load(self.rates.registers());
         self.window = Some(window);
+    }
+
+    /// Number of interpolations of the right-hand side.
+    pub fn interpolations(&self) -> usize {
+        self.rates.interpolations().len()
     }
 
     /// Number of states and of registers of the right-hand side.

@@ -2,8 +2,10 @@
 
 /// The last accepted step and everything else that determines the next one; SI units.
 #[derive(Clone, Debug)]
-pub(crate) struct LastStep {
+pub struct LastStep {
+    /// Start of the step.
     pub start: f64,
+    /// Its size.
     pub size: f64,
     /// End of the step: `start + size`, or exactly the time of the row to be reached.
     pub end: f64,
@@ -11,7 +13,8 @@ pub(crate) struct LastStep {
     pub from: Vec<f64>,
     /// State at the end, one value per state.
     pub to: Vec<f64>,
-    /// Coefficients of the continuous solution, see [`dense_value`](super::dormand_prince::dense_value).
+    /// Coefficients of the continuous solution, one list per degree: c_0 + p (c_1 + q (c_2 + p (c_3 + q c_4))) at the part p of
+    /// the step, with q = 1 - p.
     pub dense: [Vec<f64>; 5],
     /// Size proposed for the next step.
     pub proposed: f64,
@@ -23,7 +26,7 @@ pub(crate) struct LastStep {
 
 impl LastStep {
     /// Memory, in bytes.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         size_of::<f64>() * 8 * self.to.len() + size_of::<Self>()
     }
 }

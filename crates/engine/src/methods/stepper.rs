@@ -6,11 +6,13 @@ mod compiled;
 mod count;
 mod finish;
 mod moment;
+mod outside;
 mod presses;
 
 pub use advance::Progress;
 pub use finish::ROUNDING;
 pub(crate) use moment::{Moment, grid_index};
+pub use outside::Reached;
 use presses::Presses;
 
 use super::adaptive::{Adaptive, Pair};

@@ -56,11 +56,24 @@ impl Folds {
     ) -> Option<&'a [f64]> {
         let last = until * (1.0 + ROUNDING);
         let row = (0..history.len()).rev().find(|row| history.time(*row) <= last)?;
-        let results = self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of));
-        let parameters: Vec<f64> = history.parameters(row).iter().copied().chain(results).collect();
         let mut state = vec![0.0; history.states()];
         history.state(row, &mut state);
-        Some(readings.at(&parameters, history.initial(), history.time(row), &state))
+        let begun = [history.parameters(row), history.initial()];
+        Some(self.values(aggregates, readings, begun, (history.time(row), &state)))
+    }
+
+    /// Values of `readings` (SI) at the last row of a run, its time and state, as [`Folds::values_at_end`]. `begun`: parameters and
+    /// initial values of the run. All in SI units.
+    pub fn values<'a>(
+        &self,
+        aggregates: &[Aggregate],
+        readings: &'a mut Readings,
+        [parameters, initial]: [&[f64]; 2],
+        (time, state): (f64, &[f64]),
+    ) -> &'a [f64] {
+        let results = self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of));
+        let parameters: Vec<f64> = parameters.iter().copied().chain(results).collect();
+        readings.at(&parameters, initial, time, state)
     }
 }
 

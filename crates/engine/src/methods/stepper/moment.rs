@@ -82,7 +82,7 @@ impl Stepper {
         }
     }
 
-    fn stand_at(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, presses: Option<usize>) {
+    pub(super) fn stand_at(&mut self, time: f64, state: &[f64], parameters: Vec<f64>, presses: Option<usize>) {
         self.catch_up();
         self.time = time;
         self.presses.stand_at(time, presses);

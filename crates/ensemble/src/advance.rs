@@ -1,0 +1,326 @@
+//! The loops over steps and rows.
+
+use crate::alone::{Alone, Taking};
+use crate::checks::{Interval, passed};
+use crate::ensemble::{Ensemble, Method};
+use crate::grid::{Block, Grid, WIDTH};
+use engine::{Reached, RunError, Stepper};
+
+/// Receiver of rows: index of the run, time (SI units), what is read.
+type Take<'a> = &'a mut dyn FnMut(usize, f64, &[f64]);
+
+/// Number of steps of a fixed-step method after which states are examined, if nothing is read in between.
+const UNSEEN: u64 = 64;
+
+/// Number of steps between two rows after which a lane leaves: the engine stops a run that makes too many.
+const MANY_STEPS: usize = Stepper::STEP_LIMIT / 2;
+
+/// Intervals of the lanes.
+struct Intervals {
+    /// Times reached, and times of the ends.
+    from: Grid,
+    to: Grid,
+    /// States there.
+    present: Grid,
+    next: Grid,
+    /// 1 for lanes that have an interval, and for those whose checks fail.
+    ready: Vec<Block>,
+    failed: Vec<Block>,
+}
+
+impl Ensemble {
+    /// Makes all steps of a fixed-step method.
+    pub(crate) fn advance_fixed(&mut self, alone: &mut Alone, take: Take) {
+        let Self { method: Method::Fixed(fixed), rates, lanes, .. } = self else { return };
+        rates.prepare(&lanes.parameters, &lanes.initial);
+        fixed.begin(rates, &lanes.initial);
+        let blocks = lanes.blocks;
+        let mut times = Grid::new(1, blocks);
+        let (step, all, taken) = (self.grid.step, self.grid.all, self.grid.taken);
+        let reads = !self.readings.is_empty();
+        for index in 0..all {
+            let Self { method: Method::Fixed(fixed), rates, .. } = self else { return };
+            fixed.step(self.width, rates, self.grid.at(index), step);
+            let (next, time) = (index + 1, self.grid.at(index + 1));
+            if reads || next % UNSEEN == 0 || next == taken || next == all {
+                self.leave_fixed(alone, if reads { index } else { 0 }, take);
+                if !self.lanes.running.contains(&true) {
+                    return;
+                }
+            }
+            if next <= taken && (reads || next == taken) {
+                let Self { method: Method::Fixed(fixed), .. } = self else { return };
+                let states = std::mem::take(&mut fixed.states);
+                if reads {
+                    let running = std::mem::take(&mut self.lanes.running);
+                    times.fill(0, time);
+                    self.read(&times, &states, &running, take);
+                    self.lanes.running = running;
+                }
+                if next == taken {
+                    (0..blocks * WIDTH).for_each(|lane| self.keep(lane, time, &states));
+                }
+                let Self { method: Method::Fixed(fixed), .. } = self else { return };
+                fixed.states = states;
+            }
+        }
+    }
+
+    /// Repeats the runs whose states are not finite, alone; their rows up to that of index `read` have been read.
+    fn leave_fixed(&mut self, alone: &mut Alone, read: u64, take: Take) {
+        for lane in 0..self.lanes.running.len() {
+            let Method::Fixed(fixed) = &self.method else { return };
+            if !self.lanes.running[lane] || !fixed.is_wrong(lane) {
+                continue;
+            }
+            let [parameters, initial] = self.lanes.begun(lane);
+            let read = self.grid.at(read);
+            let mut reached = (0.0, initial.clone());
+            let mut result = Ok(());
+            for _ in 0..self.grid.all {
+                let last = &mut self.lanes.last[lane];
+                let mut take = |time: f64, values: &[f64]| {
+                    if time > read {
+                        take(lane, time, values)
+                    }
+                };
+                let taking = Taking { until: self.grid.last, last, take: &mut take };
+                let at = Reached { time: reached.0, state: &reached.1, armed: &[], last: None, steps: 0 };
+                match alone.go_on([&parameters, &initial], &at, taking) {
+                    Ok(Some(stepper)) => reached = (stepper.time(), stepper.state().to_vec()),
+                    Ok(None) => break,
+                    Err(error) => {
+                        result = Err(error);
+                        break;
+                    }
+                }
+            }
+            self.lanes.end(lane, result);
+        }
+    }
+
+    /// Makes all steps of the Dormand-Prince method.
+    pub(crate) fn advance_adaptive(&mut self, alone: &mut Alone, take: Take) {
+        let Self { method: Method::Adaptive(steps, checks), rates, lanes, .. } = self else { return };
+        let states = lanes.initial.rows();
+        let blocks = lanes.blocks;
+        match checks {
+            Some(checks) => checks.begin(rates, &lanes.parameters, &lanes.initial),
+            None => rates.prepare(&lanes.parameters, &lanes.initial),
+        }
+        steps.begin(&lanes.initial);
+        let checked = checks.is_some();
+        let mut intervals = Intervals {
+            from: Grid::new(1, blocks),
+            to: Grid::new(1, blocks),
+            present: lanes.initial.clone(),
+            next: Grid::new(states, blocks),
+            ready: vec![Block::of(0.0); blocks],
+            failed: vec![Block::of(0.0); blocks],
+        };
+        let unread = self.readings.is_empty() && !checked;
+        let mut stalled = vec![false; blocks * WIDTH];
+        while self.lanes.running.contains(&true) {
+            let Self { method: Method::Adaptive(steps, _), rates, lanes, .. } = self else { return };
+            stalled.fill(false);
+            steps.attempt(self.width, rates, &lanes.running, &mut stalled);
+            for (lane, &stalled) in stalled.iter().enumerate() {
+                let crowded = self.lanes.steps[lane] >= MANY_STEPS;
+                if self.lanes.running[lane] && (stalled || crowded) {
+                    self.leave(alone, lane, &mut intervals, None, take);
+                }
+            }
+            if unread {
+                self.skip_rows();
+            } else {
+                self.advance_rows(alone, &mut intervals, checked, take);
+            }
+        }
+    }
+
+    /// Counts the rows within the last steps, of which only the last one is wanted.
+    fn skip_rows(&mut self) {
+        let Self { method: Method::Adaptive(steps, _), lanes, grid, .. } = self else { return };
+        for lane in 0..lanes.running.len() {
+            if !lanes.running[lane] || !steps.is_accepted(lane) {
+                continue;
+            }
+            lanes.steps[lane] += 1;
+            let end = steps.end(lane);
+            let mut target = grid.at(lanes.index[lane] + 1);
+            while target <= end {
+                lanes.index[lane] += 1;
+                lanes.steps[lane] = usize::from(end > target);
+                if lanes.index[lane] == grid.taken {
+                    let last = &mut lanes.last[lane];
+                    last.time = target;
+                    last.state.resize(steps.to.rows(), 0.0);
+                    steps.state_at(lane, target, &mut last.state);
+                }
+                if lanes.index[lane] == grid.all {
+                    lanes.end(lane, Ok(()));
+                    break;
+                }
+                target = grid.at(lanes.index[lane] + 1);
+            }
+        }
+    }
+
+    /// Advances over all intervals and rows within the last steps.
+    fn advance_rows(&mut self, alone: &mut Alone, intervals: &mut Intervals, checked: bool, take: Take) {
+        let Self { method: Method::Adaptive(steps, _), lanes, .. } = self else { return };
+        if !checked {
+            for lane in 0..lanes.running.len() {
+                lanes.steps[lane] += usize::from(steps.is_accepted(lane));
+            }
+        }
+        while self.begin_intervals(intervals, checked) {
+            let Self { method: Method::Adaptive(steps, checks), .. } = self else { return };
+            steps.states_at(self.width, intervals.to.row(0), &mut intervals.next);
+            if let Some(checks) = checks {
+                let Intervals { from, to, present, next, ready, failed } = &mut *intervals;
+                checks.check(self.width, steps, &Interval { from, to, present, next, ready }, failed);
+            }
+            self.end_intervals(alone, intervals, checked, take);
+        }
+    }
+
+    /// Finds the interval of each lane: up to the next row, or with checks also up to the end of the step. False if there is none.
+    fn begin_intervals(&self, intervals: &mut Intervals, checked: bool) -> bool {
+        let Method::Adaptive(steps, _) = &self.method else { return false };
+        let mut any = false;
+        for (lane, &running) in self.lanes.running.iter().enumerate() {
+            let (target, end) = (self.grid.at(self.lanes.index[lane] + 1), steps.end(lane));
+            let to = if checked { target.min(end) } else { target };
+            let ready = running && if checked { intervals.from.get(0, lane) < end } else { target <= end };
+            intervals.to.set(0, lane, to);
+            intervals.ready[lane / WIDTH].0[lane % WIDTH] = f64::from(u8::from(ready));
+            any |= ready;
+        }
+        any
+    }
+
+    /// Takes over the ends of the intervals, and reads the rows there. Lanes whose checks fail leave.
+    fn end_intervals(&mut self, alone: &mut Alone, intervals: &mut Intervals, checked: bool, take: Take) {
+        let count = self.lanes.running.len();
+        let on_row: Vec<bool> = (0..count)
+            .map(|lane| {
+                let passed = intervals.passed(lane) && self.lanes.index[lane] < self.grid.taken;
+                passed && intervals.to.get(0, lane) == self.grid.at(self.lanes.index[lane] + 1)
+            })
+            .collect();
+        if on_row.contains(&true) {
+            self.read(&intervals.to, &intervals.next, &on_row, take);
+        }
+        if checked {
+            intervals.accept();
+        }
+        for lane in 0..count {
+            if intervals.ready[lane / WIDTH].0[lane % WIDTH] == 0.0 {
+                continue;
+            }
+            if !intervals.passed(lane) {
+                self.leave(alone, lane, intervals, Some(intervals.from.get(0, lane)), take);
+                continue;
+            }
+            let Self { method: Method::Adaptive(steps, _), lanes, grid, .. } = &mut *self else { return };
+            let to = intervals.to.get(0, lane);
+            if to != grid.at(lanes.index[lane] + 1) {
+                lanes.steps[lane] += 1;
+                continue;
+            }
+            let end = steps.end(lane);
+            lanes.index[lane] += 1;
+            lanes.steps[lane] = usize::from(!checked && end > to);
+            if lanes.index[lane] == grid.taken {
+                self.keep(lane, to, &intervals.next);
+            }
+            if self.lanes.index[lane] == self.grid.all {
+                self.finish(alone, lane, intervals, checked, take);
+            }
+        }
+    }
+
+    /// Lets a lane continue alone to its next row. `time` reached; `None`: at the end of its last step.
+    fn leave(&mut self, alone: &mut Alone, lane: usize, intervals: &mut Intervals, time: Option<f64>, take: Take) {
+        let Self { method: Method::Adaptive(steps, checks), rates, lanes, grid, .. } = self else { return };
+        let [parameters, initial] = lanes.begun(lane);
+        let last = steps.last(lane);
+        let mut state = last.to.clone();
+        if time.is_some() {
+            intervals.present.lane(lane, &mut state);
+        }
+        let armed = checks.as_ref().map(|checks| checks.armed(lane)).unwrap_or_default();
+        let (time, made) = (time.unwrap_or(last.end), lanes.steps[lane]);
+        let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: made };
+        let mut take = |time: f64, values: &[f64]| take(lane, time, values);
+        let taking = Taking { until: grid.last, last: &mut lanes.last[lane], take: &mut take };
+        let outcome = alone.go_on([&parameters, &initial], &reached, taking);
+        let stepper = match outcome {
+            Ok(Some(stepper)) => stepper,
+            Ok(None) => return lanes.end(lane, Ok(())),
+            Err(error) => return lanes.end(lane, Err(error)),
+        };
+        lanes.index[lane] += 1;
+        lanes.steps[lane] = 0;
+        let reached = stepper.reached();
+        intervals.from.set(0, lane, reached.time);
+        intervals.present.set_lane(lane, reached.state);
+        if let Some(last) = reached.last {
+            steps.load(lane, last);
+        }
+        if let Some(checks) = checks {
+            let here = (&intervals.from, &intervals.present);
+            checks.load(lane, rates, (reached.armed, stepper.held()), here, &lanes.initial);
+        }
+        if lanes.index[lane] == grid.all {
+            let checked = checks.is_some();
+            self.finish(alone, lane, intervals, checked, &mut |_, time, values| take(time, values));
+        }
+    }
+
+    /// Ends a lane that has reached its last row.
+    fn finish(&mut self, alone: &mut Alone, lane: usize, intervals: &Intervals, checked: bool, take: Take) {
+        let Self { method: Method::Adaptive(steps, checks), lanes, grid, .. } = self else { return };
+        let time = grid.at(grid.all);
+        if !checked || time > grid.last {
+            return lanes.end(lane, Ok(()));
+        }
+        let [parameters, initial] = lanes.begun(lane);
+        let last = steps.last(lane);
+        let mut state = last.to.clone();
+        intervals.present.lane(lane, &mut state);
+        let armed = checks.as_ref().map(|checks| checks.armed(lane)).unwrap_or_default();
+        let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: 0 };
+        let mut take = |time: f64, values: &[f64]| take(lane, time, values);
+        let taking = Taking { until: grid.last, last: &mut lanes.last[lane], take: &mut take };
+        let result: Result<(), RunError> = alone.finish([&parameters, &initial], &reached, grid.until, taking);
+        lanes.end(lane, result);
+    }
+}
+
+impl Intervals {
+    /// True if a lane has an interval in which nothing can have happened.
+    #[inline(always)]
+    fn passed(&self, lane: usize) -> bool {
+        let number = |blocks: &[Block]| blocks[lane / WIDTH].0[lane % WIDTH];
+        number(&self.ready) != 0.0 && number(&self.failed) == 0.0
+    }
+
+    /// Moves the lanes that have passed to the ends of their intervals.
+    fn accept(&mut self) {
+        let passed = passed(&self.ready, &self.failed);
+        for row in 0..self.present.rows() {
+            let (present, next) = (self.present.row_mut(row), self.next.row(row));
+            for ((present, next), passed) in present.iter_mut().zip(next).zip(&passed) {
+                let (before, next) = (*present, *next);
+                *present = Block::each(|lane| if passed.0[lane] != 0.0 { next.0[lane] } else { before.0[lane] });
+            }
+        }
+        for lane in 0..self.ready.len() * WIDTH {
+            if self.passed(lane) {
+                self.from.set(0, lane, self.to.get(0, lane));
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Times and step control of lanes, as in the engine: a proportional-integral controller.
+
+use crate::grid::Block;
+use engine::{LastStep, StepControl, dormand_prince_growth, dormand_prince_shrinkage};
+
+/// Times and step control of the lanes in a block.
+#[derive(Clone, Copy, Debug)]
+pub struct Clock {
+    /// Start of the last step.
+    pub start: Block,
+    /// Its size.
+    pub size: Block,
+    /// Its end.
+    pub end: Block,
+    /// Size proposed for the next step.
+    pub proposed: Block,
+    /// Error of the last step in units of the allowed error.
+    pub error: Block,
+    /// Size of the attempt.
+    pub attempt: Block,
+    /// Its error.
+    pub found: Block,
+    /// Growth of the step after it.
+    pub growth: Block,
+    /// 1 after an attempt that was not accepted.
+    pub rejected: Block,
+    /// 1 if the last attempt is accepted.
+    pub accepted: Block,
+}
+
+impl Clock {
+    /// The start of runs at 0.
+    pub fn begin(control: &StepControl) -> Self {
+        let zero = Block::of(0.0);
+        Self {
+            start: zero,
+            size: zero,
+            end: zero,
+            proposed: Block::of(control.first),
+            error: Block::of(control.first_error),
+            attempt: zero,
+            found: zero,
+            growth: zero,
+            rejected: zero,
+            accepted: zero,
+        }
+    }
+
+    /// Continues a lane of the block after a step that was made elsewhere.
+    pub fn load(&mut self, lane: usize, last: &LastStep) {
+        self.start.0[lane] = last.start;
+        self.size.0[lane] = last.size;
+        self.end.0[lane] = last.end;
+        self.proposed.0[lane] = last.proposed;
+        self.error.0[lane] = last.error;
+        self.rejected.0[lane] = 0.0;
+    }
+
+    /// Accepts the attempt of a lane of the block, or shortens the next one. False if it cannot be shorter.
+    #[inline(always)]
+    pub fn judge(&mut self, lane: usize, active: bool) -> bool {
+        let (found, size) = (self.found.0[lane], self.attempt.0[lane]);
+        let accepted = active && found <= 1.0;
+        self.accepted.0[lane] = f64::from(u8::from(accepted));
+        if accepted {
+            let most = if self.rejected.0[lane] == 0.0 { 10.0 } else { 1.0 };
+            self.growth.0[lane] = dormand_prince_growth(self.error.0[lane], found).clamp(0.2, most);
+        } else if active {
+            let end = self.end.0[lane];
+            let smallest = 16.0 * f64::EPSILON * end.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
+            if size <= smallest {
+                return false;
+            }
+            let shrinkage = dormand_prince_shrinkage(found);
+            // The comparison also covers NaN.
+            let shorter = size * if shrinkage > 0.2 { shrinkage } else { 0.2 };
+            self.attempt.0[lane] = shorter.max(smallest);
+            self.rejected.0[lane] = 1.0;
+        }
+        true
+    }
+
+    /// Takes over the accepted attempts as last steps.
+    #[inline(always)]
+    pub fn accept(&mut self) {
+        let Self { start, size, end, proposed, error, attempt, found, growth, rejected, accepted } = *self;
+        let taken = |lane: usize, new: f64, old: Block| if accepted.0[lane] != 0.0 { new } else { old.0[lane] };
+        self.start = Block::each(|lane| taken(lane, end.0[lane], start));
+        self.size = Block::each(|lane| taken(lane, attempt.0[lane], size));
+        self.end = Block::each(|lane| taken(lane, end.0[lane] + attempt.0[lane], end));
+        self.proposed = Block::each(|lane| taken(lane, attempt.0[lane] * growth.0[lane], proposed));
+        self.error = Block::each(|lane| taken(lane, found.0[lane].max(1e-4), error));
+        self.rejected = Block::each(|lane| taken(lane, 0.0, rejected));
+    }
+}

@@ -1,0 +1,20 @@
+//! Why runs are made one by one.
+
+use engine::{Interpreted, RunError};
+
+/// Reason why runs of a model cannot be made in lanes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoLanes {
+    /// A run with the stated parameters cannot begin.
+    Refused(RunError),
+    /// The method, the kind of time or a linear system.
+    Interpreted(Interpreted),
+    /// They are not wanted.
+    Unwanted,
+    /// Buttons are pressed.
+    Presses,
+    /// A fixed-step method in a model with events or switches.
+    EventsBetweenFixedSteps,
+    /// Changes that depend on the independent variable alone, but not linearly.
+    ChangesInTime,
+}

@@ -14,10 +14,10 @@ const RANGE: f64 = 0.06;
 /// Minimum standard error, px. Interpolation errors vary smoothly with the motion and vanish in differences, too.
 const LEAST: f64 = 0.005;
 
-/// Weights of the sixth divided difference with norm 1: independent errors of variance 1 give it variance 1. `None` if
-/// times coincide.
-fn weights(times: &[f64]) -> Option<[f64; JOINED]> {
-    let mut weights = [0.0; JOINED];
+/// Weights of the divided difference of `COUNT` values with norm 1: independent errors of variance 1 give it variance 1.
+/// `None` if times coincide.
+pub(crate) fn weights<const COUNT: usize>(times: &[f64; COUNT]) -> Option<[f64; COUNT]> {
+    let mut weights = [0.0; COUNT];
     for (k, weight) in weights.iter_mut().enumerate() {
         let others = times.iter().enumerate().filter(|(j, _)| *j != k);
         *weight = 1.0 / others.map(|(_, other)| times[k] - other).product::<f64>();
@@ -30,7 +30,11 @@ fn weights(times: &[f64]) -> Option<[f64; JOINED]> {
 /// Sixth differences of a coordinate, in units of the error of one value, by the first of their seven values.
 fn differences(times: &[f64], values: &[f64]) -> Vec<Option<f64>> {
     let windows = times.windows(JOINED).zip(values.windows(JOINED));
-    windows.map(|(times, values)| Some(weights(times)?.iter().zip(values).map(|(a, b)| a * b).sum())).collect()
+    windows
+        .map(|(times, values)| {
+            Some(weights::<JOINED>(times.first_chunk()?)?.iter().zip(values).map(|(a, b)| a * b).sum())
+        })
+        .collect()
 }
 
 /// Standard error of a coordinate: root mean square of the sixth differences, without those beyond three standard
@@ -62,7 +66,7 @@ pub(crate) fn outliers(times: &[f64], values: &[f64], sigmas: &[f64], limit: f64
     let windows = times.windows(JOINED).zip(values.windows(JOINED)).zip(sigmas.windows(JOINED));
     let large: Vec<bool> = windows
         .map(|((times, values), sigmas)| {
-            let Some(weights) = weights(times) else { return false };
+            let Some(weights) = times.first_chunk::<JOINED>().and_then(weights) else { return false };
             let difference: f64 = weights.iter().zip(values).map(|(a, b)| a * b).sum();
             let variance: f64 = weights.iter().zip(sigmas).map(|(a, b)| a * a * b * b).sum();
             difference.abs() > limit * variance.sqrt()

@@ -60,7 +60,7 @@ impl Marks {
         let found = self.templates.iter().zip(&self.clicks).zip(&mut self.last);
         for (number, ((template, click), last)) in (1..).zip(found) {
             let (place, _) = template.search(plane, *last, (REACH * high).max(4.0));
-            let found = part(place).map(|part| template.align(&part, place, 2.0));
+            let found = part(place).map(|part| template.align(&part, place, 2.0, None));
             let Some(found) = found.filter(|found| found.score >= SCORE) else {
                 return Err(Refusal::Mark { number, frame });
             };

@@ -43,7 +43,7 @@ impl Background {
         let places = (0..height as i64).flat_map(|row| (0..width as i64).map(move |column| (column, row)));
         let shades = places.map(|(column, row)| plane.shade(column, row)).collect();
         let mut background = Background { width, height, shades, known: vec![true; width * height], frames: 0 };
-        background.within(body, |known, _, _| *known = false);
+        background.hide(body);
         background
     }
 
@@ -66,17 +66,24 @@ impl Background {
         }
     }
 
+    /// Forgets the pixels of a disc, which a body covers.
+    pub(crate) fn hide(&mut self, disc: Around) {
+        self.within(disc, |known, _, _| *known = false);
+    }
+
     /// Sets the pixels of a disc to their temporal median in some frames.
     pub(crate) fn reveal(&mut self, planes: &[&Plane], disc: Around) {
         self.within(disc, |known, shade, (column, row)| (*known, *shade) = (true, usual(planes, column, row)));
     }
 
-    /// Updates the background from a frame, except the disc of the body. `uncovered`: disc in which pixels may have
+    /// Updates the background from a frame, except the discs of bodies. `uncovered`: disc in which pixels may have
     /// become visible.
-    pub(crate) fn learn(&mut self, plane: &Plane, ([x, y], radius): Around, uncovered: Around) {
+    pub(crate) fn learn(&mut self, plane: &Plane, bodies: &[Option<Around>], uncovered: Around) {
         let outside = |column: i64, row: i64| {
-            let (u, v) = (column as f64 + 0.5 - x, row as f64 + 0.5 - y);
-            u * u + v * v > radius * radius
+            bodies.iter().flatten().all(|([x, y], radius)| {
+                let (u, v) = (column as f64 + 0.5 - x, row as f64 + 0.5 - y);
+                u * u + v * v > radius * radius
+            })
         };
         self.within(uncovered, |known, shade, (column, row)| {
             if !*known && outside(column, row) {

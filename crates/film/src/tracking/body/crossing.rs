@@ -6,15 +6,19 @@ use crate::tracking::linear::solve;
 pub(super) type Place = (f64, [f64; 2]);
 
 /// Number of coefficients with many positions, and with few.
-const MANY: usize = 6;
-const FEW: usize = 4;
+const MANY: usize = 10;
+const SOME: usize = 8;
+const FEW: usize = 6;
+const FEWEST: usize = 4;
 
-/// Polynomial by least squares through positions before and after a meeting: a quintic, or a cubic through few.
+/// Polynomial by least squares through positions before and after a meeting, of the degree that their number allows.
 pub(super) struct Curve {
     /// Middle of the times and half their range, s.
     time: [f64; 2],
     /// Coefficients of both coordinates, for times relative to the middle in units of half the range.
     coefficients: [[f64; MANY]; 2],
+    /// Number of coordinates less that of coefficients.
+    pub freedom: f64,
     /// Scatter of the positions about the curve along a coordinate, px.
     pub scatter: f64,
 }
@@ -22,33 +26,35 @@ pub(super) struct Curve {
 impl Curve {
     /// `None` if there are fewer than three positions on a side, or their times coincide.
     pub(super) fn through(before: &[Place], after: &[Place]) -> Option<Curve> {
+        let sides = [before, after].concat();
         match before.len().min(after.len()) {
             ..3 => None,
-            3 | 4 => Curve::of::<FEW>(before, after),
-            _ => Curve::of::<MANY>(before, after),
+            3 | 4 => Curve::of::<FEWEST>(&sides),
+            5..8 => Curve::of::<FEW>(&sides),
+            8..12 => Curve::of::<SOME>(&sides),
+            _ => Curve::of::<MANY>(&sides),
         }
     }
 
-    fn of<const TERMS: usize>(before: &[Place], after: &[Place]) -> Option<Curve> {
-        let (first, last) = (before.first()?.0, after.last()?.0);
+    fn of<const TERMS: usize>(sides: &[Place]) -> Option<Curve> {
+        let (first, last) = (sides.first()?.0, sides.last()?.0);
         let time = [(first + last) / 2.0, (last - first).abs() / 2.0];
-        let mut curve = Curve { time, coefficients: [[0.0; MANY]; 2], scatter: 0.0 };
-        let all = || before.iter().chain(after);
+        let mut curve = Curve { time, coefficients: [[0.0; MANY]; 2], freedom: 0.0, scatter: 0.0 };
         let mut matrix = [[0.0; TERMS]; TERMS];
-        let mut sides = [[0.0; TERMS]; 2];
-        for (time, position) in all() {
+        let mut products = [[0.0; TERMS]; 2];
+        for (time, position) in sides {
             let terms = curve.terms(*time);
             for (row, term) in terms.iter().enumerate().take(TERMS) {
                 matrix[row].iter_mut().zip(terms).for_each(|(sum, other)| *sum += term * other);
-                sides.iter_mut().zip(position).for_each(|(side, part)| side[row] += term * part);
+                products.iter_mut().zip(position).for_each(|(side, part)| side[row] += term * part);
             }
         }
-        for (coefficients, side) in curve.coefficients.iter_mut().zip(sides) {
+        for (coefficients, side) in curve.coefficients.iter_mut().zip(products) {
             coefficients.iter_mut().zip(solve(matrix, side)?.0).for_each(|(to, from)| *to = from);
         }
-        let squares: f64 = all().map(|(time, position)| curve.off(*time, *position)).map(|off| off * off).sum();
-        let freedom = 2 * (before.len() + after.len()).saturating_sub(TERMS);
-        curve.scatter = (squares / freedom.max(1) as f64).sqrt();
+        let squares: f64 = sides.iter().map(|(time, position)| curve.off(*time, *position)).map(|off| off * off).sum();
+        curve.freedom = 2.0 * sides.len().saturating_sub(TERMS).max(1) as f64;
+        curve.scatter = (squares / curve.freedom).sqrt();
         Some(curve)
     }
 

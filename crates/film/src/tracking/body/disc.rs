@@ -17,6 +17,9 @@ const UNEVEN: f64 = 0.7;
 /// Margin between the outline and the edge of the template: fraction of the radius, and additional px.
 const MARGIN: (f64, f64) = (0.2, 2.0);
 
+/// Radius in which pixels show the body in part at least: multiple of the radius, and additional px.
+const BLURRED: (f64, f64) = (1.1, 1.0);
+
 /// Disc with a body and a margin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Disc {
@@ -37,6 +40,11 @@ impl Disc {
     /// Maximum distance of a pixel from the click along a coordinate, px.
     pub(crate) fn reach(&self) -> f64 {
         self.radius + self.shift[0].abs().max(self.shift[1].abs())
+    }
+
+    /// Radius in which pixels show the body in part at least, px.
+    pub(crate) fn blurred(&self) -> f64 {
+        BLURRED.0 * self.outline + BLURRED.1
     }
 
     /// Difference of the middles or of the radii of the outlines, whichever is larger, px.

@@ -4,7 +4,6 @@ use crate::tracking::body::refining::Seen;
 use crate::tracking::body::smooth::Motion;
 use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
-use crate::tracking::similarity::Similarity;
 use crate::tracking::track::{Known, Outline, Point, Readout, Track};
 use units::order::sort_by;
 
@@ -34,7 +33,7 @@ pub(super) fn joined(
     readout: Known,
     (templates, moved): (&[Template], &[bool]),
     height: f64,
-    (seen, cameras): (&[Seen], &[Similarity]),
+    seen: &[Seen],
     lost: Option<usize>,
 ) -> Track {
     let readout = match readout {
@@ -52,7 +51,7 @@ pub(super) fn joined(
     let moved: Vec<bool> =
         moved.iter().enumerate().map(|(key, moved)| *moved && is_long(key) && moves_mostly(seen, key)).collect();
     for at in order {
-        let (one, camera) = (&seen[at], &cameras[at]);
+        let one = &seen[at];
         let now = one.now;
         for (formal, variance) in formal.iter_mut().zip(now.variance) {
             formal.push(variance.sqrt());
@@ -60,7 +59,7 @@ pub(super) fn joined(
         points.push(Point {
             frame: one.frame,
             time: one.time + seconds * (now.position[1] / height - 0.5),
-            position: camera.undo(now.position),
+            position: one.camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
             doubtful: !one.moves || !one.alone || moved.get(one.key) == Some(&false),

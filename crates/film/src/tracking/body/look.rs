@@ -1,6 +1,6 @@
 //! Appearance of a body compared with the stationary background.
 
-use crate::tracking::body::background::Compared;
+use crate::tracking::body::background::{Around, Compared};
 use crate::tracking::median::median_shade;
 
 /// Fraction of the deviation by which the appearance is updated in each frame.
@@ -52,10 +52,20 @@ pub(crate) struct Agreement {
     pub best: f32,
     /// Fraction of the ring around the body that does not show the background.
     pub outside: f32,
+    /// Fraction of the pixels that belong to another body. They add neither to the score nor to its maximum.
+    pub covered: f32,
+}
+
+impl Agreement {
+    /// Score relative to its maximum, where covered pixels count as agreeing.
+    pub(crate) fn relative(&self) -> f32 {
+        let behind = if self.covered < 1.0 { self.covered * self.best / (1.0 - self.covered) } else { 1.0 };
+        (self.score + behind) / (self.best + behind).max(f32::MIN_POSITIVE)
+    }
 }
 
 /// Less than any agreement.
-const NONE: Agreement = Agreement { score: -2.0, best: 1.0, outside: 0.0 };
+const NONE: Agreement = Agreement { score: -2.0, best: 1.0, outside: 0.0, covered: 0.0 };
 
 impl Look {
     /// Appearance of the body in a disc of a frame, px.
@@ -83,13 +93,29 @@ impl Look {
     }
 
     /// Agreement at a pixel, from about `most` pixels of the body; `None` if its score is certain to lie below `least`.
-    fn agreement(&self, frame: &Compared<'_>, [column, row]: [i64; 2], most: usize, least: f32) -> Option<Agreement> {
+    /// `taken`: pixels of another body.
+    fn agreement(
+        &self,
+        frame: &Compared<'_>,
+        [column, row]: [i64; 2],
+        (most, least): (usize, f32),
+        taken: Option<Around>,
+    ) -> Option<Agreement> {
+        // From the middle of this body, rounded to pixels; with the square of the radius.
+        let taken = taken
+            .map(|([x, y], radius)| ([x.floor() as i64 - column, y.floor() as i64 - row], (radius * radius) as i64));
+        let is_taken =
+            |[u, v]: [i64; 2]| taken.is_some_and(|([x, y], square)| (u - x) * (u - x) + (v - y) * (v - y) <= square);
         let alike = ALIKE * frame.noise * ALIKE * frame.noise;
         let unknown = UNKNOWN.max(UNKNOWN_ALIKE * alike);
         let spots = self.spots.iter().step_by((self.spots.len() / most).max(1));
         let all = spots.len() as f32;
-        let (mut score, mut best, mut count) = (0.0, 0.0, 0.0_f32);
+        let (mut score, mut best, mut count, mut covered) = (0.0, 0.0, 0.0_f32, 0.0_f32);
         for spot in spots {
+            if is_taken(spot.offset) {
+                (count, covered) = (count + 1.0, covered + 1.0);
+                continue;
+            }
             let (x, y) = (column + spot.offset[0], row + spot.offset[1]);
             let shade = frame.shade(x, y);
             let usual = frame.distance(shade, self.usual[0]).min(frame.distance(shade, self.usual[1]));
@@ -109,27 +135,60 @@ impl Look {
         let (mut outside, mut around) = (0.0, 0.0_f32);
         for offset in self.ring.iter().step_by((2 * self.ring.len() / most).max(1)) {
             let (x, y) = (column + offset[0], row + offset[1]);
-            if let Some(behind) = frame.still(frame.shade(x, y), x, y) {
+            if is_taken(*offset) {
+                // It neither shows the background nor touches.
+            } else if let Some(behind) = frame.still(frame.shade(x, y), x, y) {
                 outside += behind / (behind + alike);
             }
             around += 1.0;
         }
         let outside = outside / around.max(1.0);
         let count = count.max(1.0);
-        Some(Agreement { score: score / count - OUTLINE * outside, best: best / count, outside })
+        let score = score / count - OUTLINE * outside;
+        Some(Agreement { score, best: best / count, outside, covered: covered / count })
+    }
+
+    /// Likeness of the pixels at a position (px) to the body, whatever the background: 1 if all pixels of the body and none around it are alike.
+    /// Pixels of another body do not count.
+    pub(super) fn likeness(&self, frame: &Compared<'_>, place: [f64; 2], ([x, y], radius): Around) -> f32 {
+        let [column, row] = place.map(|at| at.floor() as i64);
+        let alike = ALIKE * frame.noise * ALIKE * frame.noise;
+        let free = |[u, v]: &[i64; 2]| libm::hypot((column + u) as f64 + 0.5 - x, (row + v) as f64 + 0.5 - y) > radius;
+        let mean = |values: &mut dyn Iterator<Item = f32>| {
+            let (sum, count) =
+                values.fold((0.0, 0.0_f32), |(sum, count), far| (sum + alike / (far + alike), count + 1.0));
+            sum / count.max(1.0)
+        };
+        let stride = (self.spots.len() / FEW[0]).max(1);
+        let spots = self.spots.iter().step_by(stride).filter(|spot| free(&spot.offset));
+        let inside = mean(
+            &mut spots
+                .map(|spot| frame.distance(frame.shade(column + spot.offset[0], row + spot.offset[1]), spot.first)),
+        );
+        let ring = self.ring.iter().step_by(stride).filter(|offset| free(offset));
+        let around = mean(
+            &mut ring.map(|offset| frame.distance(frame.shade(column + offset[0], row + offset[1]), self.usual[0])),
+        );
+        inside - around
     }
 
     /// Position with the best agreement within about `reach` px of a prediction. Positions near the prediction are
-    /// preferred.
-    pub(crate) fn search(&self, frame: &Compared<'_>, around: [f64; 2], reach: f64) -> ([f64; 2], Agreement) {
+    /// preferred. `taken`: pixels of another body.
+    pub(crate) fn search(
+        &self,
+        frame: &Compared<'_>,
+        around: [f64; 2],
+        reach: f64,
+        taken: Option<Around>,
+    ) -> ([f64; 2], Agreement) {
         let step = ((self.radius() / 4.0) as i64).clamp(1, 5);
-        let (place, _) = self.scan(frame, (around, reach), around, reach.ceil() as i64, (step, FEW[0]));
-        self.scan(frame, (around, reach), place, step, (1, FEW[1]))
+        let (place, _) = self.scan(frame, (around, reach), around, (reach.ceil() as i64, step, FEW[0]), taken);
+        self.scan(frame, (around, reach), place, (step, 1, FEW[1]), taken)
     }
 
     /// Place with the best agreement within `extent` px of another one.
     pub(super) fn refined(&self, frame: &Compared<'_>, place: [f64; 2], extent: f64) -> [f64; 2] {
-        self.scan(frame, (place, f64::INFINITY), place, extent as i64, (1, FEW[0])).0
+        self.scan(frame, (place, f64::INFINITY), place, (extent as i64, 1, FEW[0]), None).0
     }
 
     fn radius(&self) -> f64 {
@@ -141,8 +200,8 @@ impl Look {
         frame: &Compared<'_>,
         (expected, reach): ([f64; 2], f64),
         around: [f64; 2],
-        extent: i64,
-        (step, most): (i64, usize),
+        (extent, step, most): (i64, i64, usize),
+        taken: Option<Around>,
     ) -> ([f64; 2], Agreement) {
         let middle = around.map(|at| at.floor().clamp(-1e6, 1e6) as i64);
         let nearness = |[column, row]: [i64; 2]| {
@@ -155,13 +214,14 @@ impl Look {
         let mut value = f32::NEG_INFINITY;
         // The first place is the likeliest: places that are certain to agree less are left early.
         let first = nearness(middle)
-            .and_then(|penalty| Some(self.agreement(frame, middle, most, f32::NEG_INFINITY)?.score - penalty));
+            .and_then(|penalty| Some(self.agreement(frame, middle, (most, f32::NEG_INFINITY), taken)?.score - penalty));
         let mut least = first.unwrap_or(f32::NEG_INFINITY);
         let steps = extent.min(10_000) / step;
         for row in (-steps..=steps).map(|k| middle[1] + k * step) {
             for column in (-steps..=steps).map(|k| middle[0] + k * step) {
                 let Some(penalty) = nearness([column, row]) else { continue };
-                let Some(agreement) = self.agreement(frame, [column, row], most, least + penalty) else { continue };
+                let agreement = self.agreement(frame, [column, row], (most, least + penalty), taken);
+                let Some(agreement) = agreement else { continue };
                 let own = agreement.score - penalty;
                 if own > value {
                     (value, found) = (own, ([column as f64 + 0.5, row as f64 + 0.5], agreement));
@@ -184,17 +244,17 @@ impl Look {
         [self.usual[0], sum]
     }
 
-    /// Agreement at a position, px.
-    pub(crate) fn at(&self, frame: &Compared<'_>, place: [f64; 2]) -> Agreement {
+    /// Agreement at a position, px. `taken`: pixels of another body.
+    pub(crate) fn at(&self, frame: &Compared<'_>, place: [f64; 2], taken: Option<Around>) -> Agreement {
         let place = place.map(|at| at.floor() as i64);
-        self.agreement(frame, place, FEW[1], f32::NEG_INFINITY).unwrap_or(NONE)
+        self.agreement(frame, place, (FEW[1], f32::NEG_INFINITY), taken).unwrap_or(NONE)
     }
 
     /// Agreement of a place by a coarse comparison; `None` where a few pixels already contradict.
     pub(crate) fn at_once(&self, frame: &Compared<'_>, place: [f64; 2]) -> Option<Agreement> {
         let place = place.map(|at| at.floor() as i64);
-        self.agreement(frame, place, FEWEST, 0.0).filter(|few| few.score > 0.0)?;
-        self.agreement(frame, place, FEW[0], f32::NEG_INFINITY)
+        self.agreement(frame, place, (FEWEST, 0.0), None).filter(|few| few.score > 0.0)?;
+        self.agreement(frame, place, (FEW[0], f32::NEG_INFINITY), None)
     }
 
     /// Updates the appearance from a frame.

@@ -2,6 +2,9 @@
 
 use crate::plane::Plane;
 
+/// Margin around a template in px: steps of the alignment and support of the interpolation.
+pub(crate) const MARGIN: f64 = 5.0;
+
 /// Part of a frame whose first pixel is at `corner`, px.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {

@@ -3,9 +3,13 @@
 //! A template from one frame contains its noise and the background behind the body. The mean over the frames after a
 //! key frame averages both. The scatter of each pixel about the mean determines its weight.
 
+use crate::tracking::body::appearance::Sighting;
+use crate::tracking::body::crossing::Place;
+use crate::tracking::body::frame::Frame;
 use crate::tracking::body::part::Part;
 use crate::tracking::body::template::{Found, Sample, Template};
 use crate::tracking::median::median;
+use crate::tracking::similarity::Similarity;
 
 /// Number of iterations of template and positions.
 const ROUNDS: usize = 3;
@@ -21,6 +25,8 @@ pub(crate) struct Seen {
     pub time: f64,
     /// Index of the template.
     pub key: usize,
+    /// Motion of the camera since the first frame.
+    pub camera: Similarity,
     pub part: Part,
     /// Result with the template of the key frame.
     pub first: Found,
@@ -35,6 +41,40 @@ pub(crate) struct Seen {
     pub moves: bool,
     /// False since it met a body of the same look, unless the motion told afterwards which of them it is.
     pub alone: bool,
+    /// Vector to a body of the same look that may cover a part of this one, px.
+    pub beside: Option<[f64; 2]>,
+}
+
+impl Seen {
+    /// Body found in a frame. `key`: index of the template.
+    pub(super) fn new(frame: Frame<'_>, key: usize, part: Part, one: &Sighting) -> Seen {
+        let Sighting { found, agreement, aside, free, beside, .. } = *one;
+        Seen {
+            frame: frame.number,
+            time: frame.time,
+            key,
+            camera: frame.camera,
+            part,
+            first: found,
+            now: found,
+            agreement,
+            aside,
+            free,
+            moves: true,
+            alone: true,
+            beside,
+        }
+    }
+
+    /// Time and position with the first template.
+    pub(super) fn place(&self) -> Place {
+        (self.time, self.first.position)
+    }
+
+    /// Size of the kept pixels.
+    pub(super) fn bytes(&self) -> usize {
+        self.part.plane.grey().len()
+    }
 }
 
 enum Stage {
@@ -81,7 +121,7 @@ impl Refining {
             Stage::Aligning(at) if at < seen.len() => {
                 let one = &mut seen[at];
                 if let Some(template) = self.templates.get(one.key) {
-                    one.now = template.align(&one.part, one.first.position, REACH);
+                    one.now = template.align(&one.part, one.first.position, REACH, one.beside);
                 }
                 self.stage = Stage::Aligning(at + 1);
             }
@@ -98,7 +138,7 @@ impl Refining {
     fn add(&mut self, one: &Seen) {
         let Some((template, sums)) = self.templates.get(one.key).zip(self.sums.get_mut(one.key)) else { return };
         let [gain, offset] = one.now.light;
-        if !one.now.settled || gain < 0.3 {
+        if !one.now.settled || gain < 0.3 || one.beside.is_some() {
             return;
         }
         let jets = one.part.jets(one.now.position, template.reach());

@@ -1,239 +1,289 @@
-//! A second body of the same look, for which the one that is followed may be taken once they have met.
-//!
-//! Nothing but their motion distinguishes two bodies of the same look. Once they are apart again, a smooth curve through the positions
-//! before and after the meeting shows which of them is which: that of the same body is smooth, that of the other one is not.
+//! A second body of the same look, which is followed beside the body, so that neither is taken for the other.
 
+use crate::tracking::body::appearance::{AGREES, Appearance, Sighting};
 use crate::tracking::body::background::Compared;
-use crate::tracking::body::crossing::{Curve, Place};
-use crate::tracking::body::look::Look;
+use crate::tracking::body::course::{Course, course};
+use crate::tracking::body::crossing::Place;
+use crate::tracking::body::exchanges::{Assigned, Vector, exchanges};
+use crate::tracking::body::frame::Frame;
+use crate::tracking::body::meeting::{Sides, far};
+use crate::tracking::body::part::{MARGIN, Part};
+use crate::tracking::body::refining::Seen;
+use crate::tracking::body::template::Template;
 
-/// Distances in radii at which a rival is sought: least, greatest, and greatest during a meeting, after which it may be fast.
-const SOUGHT: [f64; 3] = [1.2, 4.0, 8.0];
-/// Bodies that are closer than so many radii, or will be in the next frame, have met.
-const MET: f64 = 2.6;
-/// A rival is where the agreement reaches this part of what it can reach.
-const AGREES: f32 = 0.7;
-/// The scatter about the curve of the other body is at least so many times larger.
-const CLOSER: f64 = 3.0;
-/// Maximum scatter about a smooth curve, px and relative to the radius.
-const SMOOTH: (f64, f64) = (1.0, 0.05);
-/// Factor by which the scatter must be smaller if the other body was not seen afterwards.
-const ALONE_SMOOTH: f64 = 4.0;
-/// A meeting is over if no rival has been seen in so many frames in which nothing touched the body.
-const ALONE: usize = 10;
-/// Relative way in radii after which a rival that is not seen has passed.
-const PASSED: f64 = 16.0;
-/// A thing that was seen in fewer frames of a meeting may be a pattern of the background.
+/// Minimum agreement away from the predicted position, where similar objects may be. The body may have been pushed.
+const PUSHED: f32 = 0.7;
+/// Number of frames after which a touching object counts as part of the appearance.
+const TOUCHED: usize = 5;
+/// Maximum number of frames in which a hidden body is sought.
+pub(super) const HIDDEN: usize = 10;
+/// A body of which another one covers more than this is not seen.
+pub(super) const COVERED: f32 = 0.85;
+/// Relative way in radii after which a rival that was covered must have come out.
+const PASSED: f64 = 8.0;
+/// Maximum number of frames in which a covered rival is awaited.
+const AWAITED: usize = 60;
+/// Numbers of positions on each side of a meeting by which the bodies are told apart, and the greatest one.
+const SIDES: [usize; 5] = [5, 8, 12, 16, MOST];
+pub(super) const MOST: usize = 24;
+/// Maximum distance from the smooth curve through a meeting, px and relative to the radius, of a position that is certain.
+const NEAR: (f64, f64) = (2.5, 0.1);
+/// A thing that was seen in fewer frames may be a pattern of the background.
 const SIGHTINGS: usize = 3;
-/// Number of positions before and after a meeting.
-const SIDE: usize = 8;
-/// Number of positions after a meeting that suffice if another one follows.
-const FEW: usize = 5;
 
-/// A meeting with a body of the same look. Positions of both before it, and since they are apart.
-#[derive(Default)]
-struct Meeting {
-    before: Vec<Place>,
-    own: Vec<Place>,
-    other: Vec<Place>,
-    /// Speed at which the bodies came together, px a frame.
-    closing: f64,
-    /// True once the bodies were so close that they disturb one another's positions, or the other one was not seen.
-    together: bool,
-    /// Number of frames of the meeting in which the other body was seen.
-    sightings: usize,
-    /// Frames since the other body was seen, and those of them in which nothing touched the body.
-    unseen: usize,
-    alone: usize,
+/// Positions that predictions use: those of bodies that nothing touches, or of a body that has been touched for long.
+pub(super) fn trail(seen: &[Seen]) -> Vec<Place> {
+    let trail = seen.get(seen.len().saturating_sub(TOUCHED + 4)..).unwrap_or_default();
+    // Bodies that touch disturb one another's positions: the prediction uses those before.
+    let touched = trail.iter().rev().take_while(|one| !one.free).count();
+    let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
+    trail.iter().filter(counts).map(Seen::place).collect()
 }
 
-/// The body that the motion shows after a meeting.
-pub(super) enum Told {
-    /// It is the body that was followed before, along this curve if the bodies were apart then.
-    Same(Option<Curve>),
-    /// The body that was followed is at this place, px.
-    Other([f64; 2]),
+/// Motion that predicts a position, with the number of positions and of frames since the last one.
+pub(super) struct Expected {
+    pub course: Course,
+    known: usize,
+    hidden: usize,
 }
 
-/// Meetings with bodies of the same look.
-#[derive(Default)]
-pub(super) struct Rivals {
-    /// The meeting that lasts.
-    meeting: Option<Meeting>,
-    /// Distance of the rival in the last frame, px.
-    away: Option<f64>,
-    /// True from a meeting on after which the motion does not show which body is which.
-    mistaken: bool,
-}
-
-impl Rivals {
-    /// True if it is certain which body is followed.
-    pub(super) fn are_apart(&self) -> bool {
-        self.meeting.is_none() && !self.mistaken
+impl Expected {
+    /// `None` without positions.
+    pub(super) fn new(trail: &[Place], time: f64, radius: f64, hidden: usize) -> Option<Expected> {
+        Some(Expected { course: course(trail, time, radius)?, known: trail.len(), hidden })
     }
 
-    /// True while a meeting lasts.
-    pub(super) fn have_met(&self) -> bool {
+    /// Radius of the search, px.
+    pub(super) fn reach(&self) -> f64 {
+        self.course.reach * (1.0 + 0.4 * self.hidden as f64)
+    }
+
+    /// Finds a body where its motion leads, or else near its last position, since it may have been pushed. `other`: position of a body of the
+    /// same look, px.
+    pub(super) fn seek(
+        &self,
+        appearance: &Appearance,
+        (compared, first): (&Compared<'_>, &Template),
+        other: Option<[f64; 2]>,
+    ) -> Option<Sighting> {
+        let Course { place, last, way, .. } = self.course;
+        let found = appearance.seek((compared, first), (place, self.reach()), AGREES, other);
+        if found.is_some() || self.known < 2 {
+            return found.map(|one| Sighting { aside: self.hidden > 0, ..one });
+        }
+        let around = (last, way + 0.5 * first.disc.outline + 2.0);
+        appearance.seek((compared, first), around, PUSHED, other).map(|one| Sighting { aside: true, ..one })
+    }
+}
+
+/// A second body, and the meeting with it.
+pub(super) struct Rival {
+    /// Where it was seen: since a meeting began and in some frames before.
+    pub seen: Vec<Seen>,
+    /// Number of frames since it was seen.
+    pub hidden: usize,
+    meeting: Option<Meeting>,
+}
+
+/// Meeting after which it is not certain which body is which. Indices of the sightings of both.
+struct Meeting {
+    /// The first ones of the meeting.
+    from: [usize; 2],
+    /// The first ones since the bodies are apart.
+    apart: [usize; 2],
+    /// Speed at which they came together, px a frame.
+    closing: f64,
+}
+
+impl Rival {
+    pub(super) fn new() -> Rival {
+        Rival { seen: Vec::new(), hidden: 0, meeting: None }
+    }
+
+    /// A rival in the frame of a click; `None` outside the picture. `key`: index of the template.
+    pub(super) fn at(frame: Frame<'_>, key: usize, one: &Sighting, appearance: &Appearance) -> Option<Rival> {
+        let mut rival = Rival::new();
+        rival.see(frame, key, one, appearance)?;
+        Some(rival)
+    }
+
+    /// Adds a sighting; `None` outside the picture.
+    pub(super) fn see(&mut self, frame: Frame<'_>, key: usize, one: &Sighting, appearance: &Appearance) -> Option<()> {
+        let reach = appearance.now.disc.reach() + MARGIN;
+        let part = Part::around(frame.plane, one.found.position, reach, appearance.axis.as_ref())?;
+        self.hidden = 0;
+        self.seen.push(Seen::new(frame, key, part, one));
+        if self.meeting.is_none() && self.seen.len() > 2 * MOST {
+            self.seen.drain(..self.seen.len() - MOST);
+        }
+        Some(())
+    }
+
+    /// True while it is not certain which of the bodies this one is.
+    pub(super) fn has_met(&self) -> bool {
         self.meeting.is_some()
     }
 
-    /// Distances in px from the body at which a rival is sought.
-    pub(super) fn range(&self, radius: f64) -> std::ops::Range<f64> {
-        SOUGHT[0] * radius..SOUGHT[if self.meeting.is_some() { 2 } else { 1 }] * radius
+    /// Index of the first sighting of the body since the meeting began.
+    pub(super) fn from(&self) -> Option<usize> {
+        self.meeting.as_ref().map(|meeting| meeting.from[0])
     }
 
-    /// Takes the position in the next frame and that of the rival. `trail` has the positions before; `free`: nothing touches the body.
+    /// True once the other body has not been seen for long, or the motion after a meeting has not shown which is which. `radius` in px.
+    pub(super) fn is_over(&self, own: &[Seen], radius: f64) -> bool {
+        let (slow, apart) = self.meeting.as_ref().map_or((0.0, 0), |meeting| {
+            (PASSED * radius / meeting.closing.max(0.1), own.len().saturating_sub(meeting.apart[0]))
+        });
+        self.hidden > HIDDEN.max((slow as usize).min(AWAITED)) || apart > MOST
+    }
+
+    /// Gives each body its own sightings, and marks those of the body in the meeting.
+    pub(super) fn assign(&mut self, own: &mut Vec<Seen>, settled: Settled) {
+        for one in &settled.between {
+            let other = one.other.filter(|_| one.assigned.is_exchanged).and_then(|other| self.seen.get_mut(other));
+            if let Some((own, other)) = own.get_mut(one.own).zip(other) {
+                std::mem::swap(own, other);
+            }
+            if let Some(own) = own.get_mut(one.own) {
+                own.alone = one.assigned.is_certain || one.may_be_near;
+                own.aside |= !one.assigned.is_certain;
+            }
+        }
+        let [apart, other] = settled.apart;
+        own.iter_mut().skip(apart).for_each(|one| one.alone = true);
+        if settled.is_exchanged {
+            let [tail, other] = [own.split_off(apart.min(own.len())), self.seen.split_off(other.min(self.seen.len()))];
+            own.extend(other);
+            self.seen.extend(tail);
+        }
+    }
+
+    /// Takes the next frame, in which both bodies may have been exchanged or not. `own`: where the body was seen up to this frame, without the
+    /// sightings before `begin`. Returns the assignment, once the motion shows it.
     pub(super) fn take(
         &mut self,
-        trail: &[Place],
-        ((time, position), radius): (Place, f64),
-        (rival, free): (Option<[f64; 2]>, bool),
-    ) -> Option<Told> {
-        if self.mistaken {
+        (own, begin): (&[Seen], usize),
+        may_be_exchanged: bool,
+        radius: f64,
+    ) -> Option<Settled> {
+        let now = [own.len().saturating_sub(1), self.seen.len().saturating_sub(usize::from(self.hidden == 0))];
+        if may_be_exchanged {
+            let closing = self.closing(own);
+            let meeting = self.meeting.get_or_insert_with(|| {
+                // The other body has touched this one before it was seen.
+                let touched = own[..now[0]].iter().skip(begin).rev().take_while(|one| !one.free).count();
+                Meeting { from: [now[0] - touched, now[1]], apart: now, closing }
+            });
+            meeting.apart = now.map(|now| now + 1);
             return None;
         }
-        let away = rival.map(|rival| far(rival, position));
-        // A rival that is seen for the first time may be as fast as the body.
-        let step = trail.last().filter(|_| self.meeting.is_none()).map_or(0.0, |(_, last)| far(*last, position));
-        let before = std::mem::replace(&mut self.away, away);
-        let closing = away.map_or(0.0, |away| before.map_or(2.0 * step, |before| before - away).max(0.0));
-        let is_near = away.is_some_and(|away| away - closing < MET * radius);
-        let is_apart = away.is_some_and(|away| away >= MET * radius);
-        let Some(meeting) = &mut self.meeting else {
-            if is_near {
-                self.meeting = Some(Meeting::new(trail, closing, !is_apart));
-            }
+        let meeting = self.meeting.as_ref().filter(|_| self.hidden == 0)?;
+        let count = own.len().saturating_sub(meeting.apart[0]);
+        if !SIDES.contains(&count) {
             return None;
+        }
+        self.settle((own, begin), count, radius)
+    }
+
+    /// Ends the meeting if the motion shows the assignment by so many positions on each side.
+    pub(super) fn settle(&mut self, (own, begin): (&[Seen], usize), count: usize, radius: f64) -> Option<Settled> {
+        let Meeting { from, apart, .. } = self.meeting.as_ref()?;
+        let (from, apart) = (*from, *apart);
+        let first = |k: usize, begin: usize| from[k].saturating_sub(count).max(begin);
+        // Both in the same frame: indices of the sightings.
+        let pairs: Vec<(usize, Option<usize>)> = (first(0, begin)..own.len())
+            .map(|at| {
+                let other = self.seen.iter().rposition(|other| other.frame == own[at].frame);
+                (at, other)
+            })
+            .collect();
+        let both: Vec<(usize, usize)> = pairs.iter().filter_map(|(at, other)| Some((*at, (*other)?))).collect();
+        let middle = |k: usize| {
+            let (one, two) = both.get(k).map(|(at, other)| (own[*at].place().1, self.seen[*other].place().1))?;
+            Some([0, 1].map(|k| (one[k] + two[k]) / 2.0))
         };
-        if !meeting.together && meeting.own.is_empty() {
-            meeting.before = latest(trail);
-            meeting.together = !is_apart;
-        }
-        if is_near && meeting.own.len() < FEW {
-            (meeting.own, meeting.other, meeting.unseen, meeting.alone) = Default::default();
-            return None;
-        }
-        if is_near {
-            let told = self.tell(radius);
-            self.meeting = Some(Meeting::new(trail, closing, !is_apart));
-            return told;
-        }
-        meeting.sightings += usize::from(rival.is_some());
-        let is_unseen = rival.is_none();
-        meeting.unseen = if is_unseen { meeting.unseen + 1 } else { 0 };
-        meeting.alone = if is_unseen { meeting.alone + usize::from(free) } else { 0 };
-        let has_passed = meeting.unseen as f64 * meeting.closing > PASSED * radius;
-        if rival.is_some() || !meeting.own.is_empty() || has_passed {
-            meeting.own.push((time, position));
-            meeting.other.extend(rival.map(|rival| (time, rival)));
-        } else if meeting.alone >= ALONE {
+        let vector = |k: usize| {
+            let (at, other) = both[k];
+            let ((time, one), (_, two)) = (own[at].place(), self.seen[other].place());
+            let (before, after) = (k.saturating_sub(1), (k + 1).min(both.len() - 1));
+            let frames = own[both[after].0].frame.abs_diff(own[both[before].0].frame).max(1) as f64;
+            let motion = middle(before)
+                .zip(middle(after))
+                .map_or([0.0; 2], |(from, to)| [0, 1].map(|k| (to[k] - from[k]) / frames));
+            Vector { time, between: [two[0] - one[0], two[1] - one[1]], motion }
+        };
+        let vectors: Vec<Vector> = (0..both.len()).map(vector).collect();
+        let index = |end: usize| both.partition_point(|(at, _)| *at < end);
+        let meeting = index(from[0])..index(apart[0]);
+        let met = pairs.iter().filter(|(at, _)| (from[0]..apart[0]).contains(at));
+        if let Some((assigned, is_exchanged)) = exchanges(&vectors, meeting, radius) {
+            let mut assigned = assigned.into_iter();
+            // A body that covers the other one is near where its motion leads.
+            let between = met.map(|(own, other)| Between {
+                own: *own,
+                other: *other,
+                assigned: other.and_then(|_| assigned.next()).unwrap_or_default(),
+                may_be_near: true,
+            });
             self.meeting = None;
-            return Some(Told::Same(None));
+            return Some(Settled { is_exchanged, between: between.collect(), apart });
         }
-        if meeting.own.len() < SIDE {
-            return None;
-        }
-        self.tell(radius)
-    }
-
-    /// Ends the meeting.
-    fn tell(&mut self, radius: f64) -> Option<Told> {
-        let meeting = self.meeting.take()?;
-        let told = meeting.told(SMOOTH.0.max(SMOOTH.1 * radius));
-        if told.is_none() && meeting.sightings < SIGHTINGS {
-            return Some(Told::Same(None));
-        }
-        self.mistaken = told.is_none();
-        told
-    }
-}
-
-impl Meeting {
-    fn new(trail: &[Place], closing: f64, together: bool) -> Meeting {
-        Meeting { before: latest(trail), closing, together, ..Meeting::default() }
-    }
-
-    /// The body that the curves show; `None` if neither or both are smooth.
-    fn told(&self, smooth: f64) -> Option<Told> {
-        let (own, other) = (Curve::through(&self.before, &self.own), Curve::through(&self.before, &self.other));
-        let scatter = |curve: &Option<Curve>| curve.as_ref().map_or(f64::INFINITY, |curve| curve.scatter);
-        let (same, exchanged) = (scatter(&own), scatter(&other));
-        let smooth = if self.other.is_empty() { smooth / ALONE_SMOOTH } else { smooth };
-        if same < smooth && CLOSER * same < exchanged {
-            Some(Told::Same(own))
-        } else if exchanged < smooth && CLOSER * exchanged < same {
-            other.zip(self.own.last()).map(|(other, (now, _))| Told::Other(other.at(*now)))
-        } else {
-            None
-        }
-    }
-}
-
-/// The last positions.
-fn latest(trail: &[Place]) -> Vec<Place> {
-    trail[trail.len().saturating_sub(SIDE)..].to_vec()
-}
-
-fn far(one: [f64; 2], other: [f64; 2]) -> f64 {
-    libm::hypot(one[0] - other[0], one[1] - other[1])
-}
-
-impl Look {
-    /// The middle of the best agreement within a range of distances around a body, px.
-    pub(super) fn rival(
-        &self,
-        frame: &Compared<'_>,
-        (middle, radius): ([f64; 2], f64),
-        range: std::ops::Range<f64>,
-    ) -> Option<[f64; 2]> {
-        let step = (radius / 3.0).max(1.0);
-        let steps = (range.end / step) as i64;
-        let places = (-steps..=steps).flat_map(|row| (-steps..=steps).map(move |column| [column, row]));
-        let places = places
-            .map(|place| [0, 1].map(|k| middle[k] + step * place[k] as f64))
-            .filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
-        let agreements = places.filter_map(|place| {
-            let agreement = self.at_once(frame, place)?;
-            (agreement.score >= AGREES * agreement.best).then_some((place, agreement.score))
+        let places = |seen: &[Seen], range: std::ops::Range<usize>| -> Vec<Place> {
+            seen.get(range).unwrap_or_default().iter().map(Seen::place).collect()
+        };
+        let sides = Sides {
+            before: [places(own, first(0, begin)..from[0]), places(&self.seen, first(1, 0)..from[1])],
+            after: [
+                places(own, apart[0]..own.len().min(apart[0] + count)),
+                places(&self.seen, apart[1]..self.seen.len().min(apart[1] + count)),
+            ],
+        };
+        let is_pattern = self.seen.len() < SIGHTINGS && self.hidden > 0;
+        let (is_exchanged, curve) = match sides.told(radius) {
+            Some((is_exchanged, curve)) => (is_exchanged, Some(curve)),
+            None if is_pattern => (false, None),
+            None => return None,
+        };
+        let limit = NEAR.0.max(NEAR.1 * radius);
+        let off = |one: &Seen| {
+            let (time, position) = one.place();
+            curve.as_ref().map_or(if one.free { 0.0 } else { f64::INFINITY }, |curve| curve.off(time, position))
+        };
+        let between = met.map(|(at, other)| {
+            let (one, two) = (off(&own[*at]), other.map_or(f64::INFINITY, |other| off(&self.seen[other])));
+            let is_exchanged = curve.is_some() && two < one;
+            let assigned = Assigned { is_exchanged, is_certain: one.min(two) < limit };
+            Between { own: *at, other: *other, assigned, may_be_near: false }
         });
-        let (place, _) = agreements.max_by(|one, other| one.1.total_cmp(&other.1))?;
-        Some(self.refined(frame, place, step))
+        let between = between.collect();
+        self.meeting = None;
+        Some(Settled { is_exchanged, between, apart })
+    }
+
+    /// Change of the distance of both bodies, px a frame.
+    fn closing(&self, own: &[Seen]) -> f64 {
+        let distance = |back: usize| {
+            let at = |seen: &[Seen]| Some(seen.get(seen.len().checked_sub(back)?)?.first.position);
+            Some(far(at(own)?, at(&self.seen)?))
+        };
+        distance(1).zip(distance(2)).map_or(0.0, |(now, before)| (before - now).abs())
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Assignment in a meeting and afterwards.
+pub(super) struct Settled {
+    /// True if the bodies are exchanged after the meeting.
+    is_exchanged: bool,
+    between: Vec<Between>,
+    /// Indices of the first sightings of both after the meeting.
+    apart: [usize; 2],
+}
 
-    /// The body that the motion shows where two bodies meet and turn back without passing one another. `exchanged`: the positions go on with the
-    /// other body.
-    fn told(radius: f64, bend: f64, exchanged: bool) -> (bool, Option<bool>) {
-        let mut rivals = Rivals::default();
-        let mut trail = Vec::new();
-        let mut told = None;
-        for frame in 0..60 {
-            let late = f64::from(frame) - 30.0;
-            let far = radius * (0.8 + bend * late * late);
-            let [own, other] = if exchanged && late > 0.0 { [far, -far] } else { [-far, far] };
-            let rival = rivals.range(radius).contains(&(2.0 * far)).then_some([other, 0.0]);
-            let place = (f64::from(frame), [own, 0.0]);
-            match rivals.take(&trail, (place, radius), (rival, true)) {
-                Some(Told::Same(_)) => told = Some(true),
-                Some(Told::Other(place)) => told = Some((place[0] > 0.0) == exchanged),
-                None => {}
-            }
-            trail.push(place);
-        }
-        (rivals.are_apart(), told)
-    }
-
-    #[test]
-    fn the_motion_shows_the_body_after_a_meeting() {
-        for radius in [4.0, 11.0, 30.0] {
-            for bend in [0.01, 0.03, 0.1] {
-                assert_eq!(told(radius, bend, false), (true, Some(true)), "radius {radius}, bend {bend}");
-                assert_eq!(told(radius, bend, true), (true, Some(false)), "radius {radius}, bend {bend}");
-            }
-        }
-    }
+/// Assignment in a frame of a meeting: indices of the sightings of both.
+struct Between {
+    own: usize,
+    other: Option<usize>,
+    assigned: Assigned,
+    /// True if the positions before and after may show that an uncertain position is right.
+    may_be_near: bool,
 }

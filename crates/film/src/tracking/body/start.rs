@@ -2,14 +2,22 @@
 
 use crate::plane::Plane;
 use crate::tracking::body::disc::Disc;
+use crate::tracking::body::frame::Frame;
 use crate::tracking::similarity::Similarity;
 
 /// Frame that was taken.
 pub(super) struct Shot {
-    pub frame: usize,
+    pub number: usize,
     pub time: f64,
     pub plane: Plane,
     pub camera: Similarity,
+}
+
+impl Shot {
+    /// The frame.
+    pub(super) fn frame(&self) -> Frame<'_> {
+        Frame { number: self.number, time: self.time, plane: &self.plane, camera: self.camera }
+    }
 }
 
 /// Click, the frames from there on, and what was known before: number of sightings and of templates, first frame
@@ -20,7 +28,7 @@ pub(super) struct Start {
     pub seen: usize,
     pub templates: usize,
     pub lost: Option<usize>,
-    /// Disc at the power of two before.
+    /// Disc at the age before.
     pub disc: Option<Disc>,
 }
 

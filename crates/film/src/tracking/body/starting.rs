@@ -1,21 +1,25 @@
 //! Start of a track: template of a click, and the disc of the body once it has left its first place.
 
 use crate::plane::Plane;
+use crate::tracking::body::appearance::{AGREES, Appearance, Sighting};
 use crate::tracking::body::background::Background;
 use crate::tracking::body::disc::{Disc, around};
+use crate::tracking::body::frame::Frame;
 use crate::tracking::body::look::Look;
+use crate::tracking::body::meeting::far;
 use crate::tracking::body::moving::Moving;
-use crate::tracking::body::part::{Axis, Part};
-use crate::tracking::body::rival::Rivals;
+use crate::tracking::body::part::{Axis, MARGIN, Part};
+use crate::tracking::body::refining::Seen;
+use crate::tracking::body::rival::Rival;
 use crate::tracking::body::start::{Shot, Start};
 use crate::tracking::body::template::{Found, Template};
 use crate::tracking::body::vacated::vacated;
-use crate::tracking::body::{Body, MARGIN, RADIUS, Sight, Sighting, Tracker, greatest, radii};
+use crate::tracking::body::{Body, RADIUS, Sight, Tracker, greatest, radii};
 use crate::tracking::refusal::Refusal;
 
-/// Number of frames after a click, at powers of two of which the body may have left its place.
-const LATEST: usize = 32;
-const EARLIEST: usize = 4;
+/// Numbers of frames after a click at which the body may have left its place, and the last one.
+const AGES: [usize; 8] = [4, 8, 12, 16, 24, 32, 48, LATEST];
+const LATEST: usize = 64;
 /// Maximum difference of the discs after two numbers of frames, relative to the radius.
 const STABLE: f64 = 0.125;
 /// Maximum difference of a disc from that of a template, relative to the radius, for which the track stays as it is.
@@ -35,10 +39,11 @@ impl Body {
     /// body is tracked further.
     pub(super) fn begin(
         &mut self,
-        plane: &Plane,
+        frame: Frame<'_>,
         [x, y]: [f64; 2],
         sighting: Option<Sighting>,
     ) -> Result<Sighting, Refusal> {
+        let plane = frame.plane;
         let (wide, high) = (plane.width() as f64, plane.height() as f64);
         if !(0.0..=wide).contains(&x) || !(0.0..=high).contains(&y) {
             return Err(Refusal::Click { x, y });
@@ -59,7 +64,7 @@ impl Body {
         if continued.is_none() {
             self.start = Some(Start::new(position, (self.seen.len(), self.templates.len()), self.lost));
         }
-        let found = self.start(plane, position, disc, background).map_err(|refusal| match given {
+        let found = self.start(frame, position, disc, background).map_err(|refusal| match given {
             Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
             _ => refusal,
         })?;
@@ -71,19 +76,20 @@ impl Body {
             tracker.begin = begin;
         }
         let aside = continued.is_some_and(|one| one.aside);
-        Ok(Sighting { found, agreement: 1.0, aside, free: true, rival: None })
+        Ok(Sighting::clicked(found, aside))
     }
 
     /// Makes the template of the body at a position, px.
     pub(super) fn start(
         &mut self,
-        plane: &Plane,
+        frame: Frame<'_>,
         position: [f64; 2],
         disc: Disc,
         background: Option<Background>,
     ) -> Result<Found, Refusal> {
+        let plane = frame.plane;
         let middle = disc.middle(position);
-        let background = background.unwrap_or_else(|| Background::new(plane, (middle, disc.radius)));
+        let mut background = background.unwrap_or_else(|| Background::new(plane, (middle, disc.radius)));
         let compared = background.compare(plane);
         let look = Look::new(&compared, middle, disc.outline);
         let axis = plane.colour().and_then(|_| {
@@ -95,20 +101,27 @@ impl Body {
         if template.plain() {
             return Err(Refusal::Plain);
         }
-        let found = template.align(&part, position, 0.5);
+        let found = template.align(&part, position, 0.5, None);
         let now = template.clone();
         let moving = Moving::new(plane, position, self.seen.len());
+        let appearance = Appearance { look, now, axis, around: 1.0 };
+        let twin = appearance.look.twin(&background.compare(plane), (middle, disc.outline));
+        let rival = twin.and_then(|twin| {
+            background.hide((twin, disc.radius));
+            let place = [twin[0] - disc.shift[0], twin[1] - disc.shift[1]];
+            let one = appearance.seek((&background.compare(plane), &template), (place, 2.0), AGREES, Some(position))?;
+            Rival::at(frame, self.templates.len(), &one, &appearance)
+        });
         self.tracker = Some(Tracker {
-            look,
-            now,
-            axis,
+            appearance,
             background,
             hidden: 0,
             since: 0,
             begin: 0,
-            around: 1.0,
             moving,
-            rivals: Rivals::default(),
+            rival,
+            exchangeable: false,
+            is_mistaken: false,
         });
         self.templates.push(template);
         self.moved.push(false);
@@ -122,7 +135,7 @@ impl Body {
         let size = shot.plane.grey().len() * if shot.plane.colour().is_some() { 3 } else { 2 } / 2;
         start.shots.push(shot);
         let age = start.shots.len() - 1;
-        if age < EARLIEST || !age.is_power_of_two() {
+        if !AGES.contains(&age) {
             self.start = Some(start).filter(|_| (age + 2) * size <= BYTES);
             return Ok(None);
         }
@@ -139,7 +152,9 @@ impl Body {
         // Later key frames continue this one.
         self.moved.iter_mut().skip(start.templates).for_each(|moved| *moved = true);
         let is_same = |template: &Template| template.disc.difference(disc) < SAME * disc.outline;
-        let is_followed = self.templates.get(start.templates).is_some_and(is_same);
+        // What is still found at the click is not the body, which has left that place.
+        let has_left = self.seen.last().is_some_and(|one| far(one.first.position, start.click) > disc.outline);
+        let is_followed = has_left && self.templates.get(start.templates).is_some_and(is_same);
         if is_followed && self.tracker.as_ref().is_some_and(|tracker| tracker.hidden == 0) {
             return Ok(None);
         }
@@ -147,22 +162,21 @@ impl Body {
         let mut background = Background::new(&first.plane, (disc.middle(start.click), disc.radius));
         background.reveal(&planes, (disc.middle(start.click), disc.radius));
         self.seen.truncate(start.seen);
-        self.cameras.truncate(start.seen);
         self.templates.truncate(start.templates);
         self.moved.truncate(start.templates);
-        self.bytes = self.seen.iter().map(|one| one.part.plane.grey().len()).sum();
+        self.bytes = self.seen.iter().map(Seen::bytes).sum();
         self.lost = start.lost;
-        let found = self.start(&first.plane, start.click, disc, Some(background))?;
+        let found = self.start(first.frame(), start.click, disc, Some(background))?;
         if let Some(moved) = self.moved.last_mut() {
             *moved = true;
         }
         if let Some(tracker) = &mut self.tracker {
             tracker.begin = start.seen;
         }
-        let sighting = Sighting { found, agreement: 1.0, aside: false, free: true, rival: None };
-        let mut sight = self.sight(first.frame, first.time, (&first.plane, first.camera), Some(sighting))?;
+        let sighting = Sighting::clicked(found, false);
+        let mut sight = self.sight(first.frame(), Some(sighting))?;
         for shot in start.shots.iter().skip(1) {
-            sight = self.follow(shot.frame, shot.time, &shot.plane, shot.camera)?;
+            sight = self.follow(shot.frame())?;
         }
         Ok(Some(sight))
     }

@@ -10,6 +10,9 @@ const STEPS: usize = 25;
 /// Length of a step in px that ends an alignment.
 const CLOSE: f64 = 1e-3;
 
+/// Minimum fraction of the samples for an alignment.
+const VISIBLE: f64 = 0.4;
+
 /// Number of samples for a coarse search.
 const FEW: usize = 120;
 
@@ -84,6 +87,14 @@ impl Template {
         }
     }
 
+    /// True if a sample lies within another body.
+    fn is_taken(&self, sample: &Sample, beside: Option<[f64; 2]>) -> bool {
+        beside.is_some_and(|beside| {
+            let [u, v] = [0, 1].map(|k| sample.offset[k] - self.disc.shift[k] - beside[k]);
+            libm::hypot(u, v) <= self.disc.blurred()
+        })
+    }
+
     /// True if the disc is uniform: its standard deviation is below 1 grey value.
     pub(crate) fn plain(&self) -> bool {
         let count = self.samples.len() as f64;
@@ -140,15 +151,20 @@ impl Template {
     }
 
     /// Position of the least weighted residual, at most `reach` px from the start along each coordinate, with free
-    /// contrast and brightness.
+    /// contrast and brightness. `beside`: vector to another body of the same disc (px), whose pixels do not count. The
+    /// score is 0 where too few are left.
     ///
     /// Baker and Matthews, *Int. J. Comput. Vis.* 56 (2004) 221, inverse compositional form.
-    pub(crate) fn align(&self, part: &Part, start: [f64; 2], reach: f64) -> Found {
+    pub(crate) fn align(&self, part: &Part, start: [f64; 2], reach: f64, beside: Option<[f64; 2]>) -> Found {
         let mut found = Found { position: start, score: 0.0, variance: [0.0; 2], light: [1.0, 0.0], settled: false };
-        let mean = self.samples.iter().map(|sample| sample.value).sum::<f64>() / self.samples.len() as f64;
+        let visible: Vec<&Sample> = self.samples.iter().filter(|sample| !self.is_taken(sample, beside)).collect();
+        if (visible.len() as f64) < VISIBLE * self.samples.len() as f64 {
+            return found;
+        }
+        let mean = visible.iter().map(|sample| sample.value).sum::<f64>() / visible.len() as f64;
         let terms = |sample: &Sample| [sample.gradient[0], sample.gradient[1], sample.value - mean, 1.0];
         let mut matrix = [[0.0; 4]; 4];
-        for sample in &self.samples {
+        for sample in visible.iter().copied() {
             let terms = terms(sample);
             for (line, term) in matrix.iter_mut().zip(terms) {
                 line.iter_mut().zip(terms).for_each(|(sum, other)| *sum += sample.weight * term * other);
@@ -158,7 +174,7 @@ impl Template {
             let mut side = [0.0; 4];
             let mut squares = 0.0;
             let values = part.values(found.position, self.reach());
-            for sample in &self.samples {
+            for sample in visible.iter().copied() {
                 let grey = values[sample.place] - mean;
                 side.iter_mut().zip(terms(sample)).for_each(|(sum, term)| *sum += sample.weight * term * grey);
                 squares += sample.weight * grey * grey;
@@ -171,7 +187,7 @@ impl Template {
             if gain <= 0.0 {
                 return Found { score: 0.0, ..found };
             }
-            let residual = rest / (self.samples.len() as f64 - 4.0).max(1.0) / (gain * gain);
+            let residual = rest / (visible.len() as f64 - 4.0).max(1.0) / (gain * gain);
             let step = [across, down].map(|part| (-part / gain).clamp(-1.0, 1.0));
             let moved = [0, 1].map(|k| (found.position[k] + step[k]).min(start[k] + reach).max(start[k] - reach));
             let length = (moved[0] - found.position[0]).abs() + (moved[1] - found.position[1]).abs();

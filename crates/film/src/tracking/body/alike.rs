@@ -1,0 +1,61 @@
+//! Search for a second body of the same look around the first one.
+
+use crate::tracking::body::background::{Around, Compared};
+use crate::tracking::body::look::Look;
+use crate::tracking::body::meeting::far;
+
+/// Distances in radii at which a rival is sought: least, and greatest.
+const SOUGHT: [f64; 2] = [1.2, 4.0];
+/// A rival is where the agreement reaches this part of what it can reach.
+const RIVAL: f32 = 0.7;
+/// A rival in the frame of a click is at least so much like the body.
+const LIKE: f32 = 0.6;
+
+/// Distances in px from a body at which a rival is sought.
+pub(super) fn sought(radius: f64) -> std::ops::Range<f64> {
+    SOUGHT[0] * radius..SOUGHT[1] * radius
+}
+
+impl Look {
+    /// The middle of another body in the frame of a click, whose background is not known yet.
+    pub(super) fn twin(&self, frame: &Compared<'_>, own: Around) -> Option<[f64; 2]> {
+        let (middle, radius) = own;
+        let step = (radius / 4.0).max(1.0);
+        let range = sought(radius);
+        let steps = (range.end / step) as i64;
+        let places = |middle: [f64; 2], steps: i64, step: f64| {
+            let offsets = (-steps..=steps).flat_map(move |row| (-steps..=steps).map(move |column| [column, row]));
+            offsets.map(move |place| [0, 1].map(|k| middle[k] + step * place[k] as f64))
+        };
+        let best = |places: &mut dyn Iterator<Item = [f64; 2]>| {
+            let places = places.filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
+            let likeness = places.map(|place| (place, self.likeness(frame, place, own)));
+            likeness.max_by(|one, other| one.1.total_cmp(&other.1))
+        };
+        let (place, value) = best(&mut places(middle, steps, step))?;
+        let (place, value) =
+            if value > LIKE / 2.0 { best(&mut places(place, step as i64, 1.0))? } else { (place, value) };
+        (value > LIKE).then_some(place)
+    }
+
+    /// The middle of the best agreement within a range of distances around a body, px.
+    pub(super) fn rival(
+        &self,
+        frame: &Compared<'_>,
+        (middle, radius): ([f64; 2], f64),
+        range: std::ops::Range<f64>,
+    ) -> Option<[f64; 2]> {
+        let step = (radius / 3.0).max(1.0);
+        let steps = (range.end / step) as i64;
+        let places = (-steps..=steps).flat_map(|row| (-steps..=steps).map(move |column| [column, row]));
+        let places = places
+            .map(|place| [0, 1].map(|k| middle[k] + step * place[k] as f64))
+            .filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
+        let agreements = places.filter_map(|place| {
+            let agreement = self.at_once(frame, place)?;
+            (agreement.score >= RIVAL * agreement.best).then_some((place, agreement.score))
+        });
+        let (place, _) = agreements.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        Some(self.refined(frame, place, step))
+    }
+}

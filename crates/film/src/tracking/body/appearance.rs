@@ -1,0 +1,147 @@
+//! Search for a body by its appearance, and the update of the appearance.
+
+use crate::tracking::body::background::{Around, Compared};
+use crate::tracking::body::look::Look;
+use crate::tracking::body::part::{Axis, MARGIN, Part};
+use crate::tracking::body::template::{Found, Template};
+
+/// Minimum agreement of a body, relative to the best possible one.
+pub(super) const AGREES: f32 = 0.45;
+/// Increase of the fraction of the ring without background from which something touches the body.
+const TOUCH: f32 = 0.2;
+/// Minimum correlation of a template that was found.
+const SCORE: f64 = 0.6;
+/// Minimum correlation at which the first template is used. It does not drift.
+const CLEAR: f64 = 0.85;
+/// Minimum agreement for an update of the appearance.
+const WHOLE: f32 = 0.75;
+/// Best possible agreement below which body and background are too similar, so that the template alone decides.
+const DISTINCT: f32 = 0.2;
+/// Best possible agreement from which an agreement shows a second body rather than the background.
+const CERTAIN: f32 = 0.5;
+/// Fraction of the deviation by which the template is updated in each frame.
+const PACE: f64 = 0.2;
+
+/// Appearance of a body.
+pub(super) struct Appearance {
+    pub look: Look,
+    /// Template that is updated.
+    pub now: Template,
+    pub axis: Option<Axis>,
+    /// Usual fraction of the ring around the body that does not show the background: smear, a rod.
+    pub around: f32,
+}
+
+/// Result of the search in a frame.
+pub(super) struct Sighting {
+    pub found: Found,
+    /// Agreement relative to the best possible one.
+    pub agreement: f64,
+    /// True if the body was away from its predicted position, or hidden before.
+    pub aside: bool,
+    /// True if nothing else touches the body.
+    pub free: bool,
+    /// Fraction of the body that another one covers.
+    pub covered: f32,
+    /// True if body and background differ so much here that an agreement shows a body.
+    pub is_distinct: bool,
+    /// Vector to the other body, px, if that may cover a part of this one.
+    pub beside: Option<[f64; 2]>,
+    /// Fraction of the ring that does not show the background.
+    pub outside: f32,
+    pub part: Option<Part>,
+}
+
+impl Sighting {
+    /// Body at a click.
+    pub(super) fn clicked(found: Found, aside: bool) -> Sighting {
+        Sighting {
+            found,
+            agreement: 1.0,
+            aside,
+            free: true,
+            covered: 0.0,
+            is_distinct: true,
+            beside: None,
+            outside: 0.0,
+            part: None,
+        }
+    }
+}
+
+impl Appearance {
+    /// Finds the body within `reach` px of a point, with an agreement of at least `part_of_best` times the best
+    /// possible one. Pixels that belong to another body of the same look, whose position (px) is `other`, do not count.
+    pub(super) fn seek(
+        &self,
+        (compared, first): (&Compared<'_>, &Template),
+        (around, reach): ([f64; 2], f64),
+        part_of_best: f32,
+        other: Option<[f64; 2]>,
+    ) -> Option<Sighting> {
+        let disc = first.disc;
+        let taken: Option<Around> = other.map(|other| (disc.middle(other), disc.outline));
+        let beside = |place: [f64; 2]| {
+            let beside = other.map(|other| [0, 1].map(|k| other[k] - place[k]));
+            beside.filter(|[x, y]| libm::hypot(*x, *y) < disc.radius + disc.blurred())
+        };
+        let (middle, mut agreement) = self.look.search(compared, disc.middle(around), reach, taken);
+        let place = [middle[0] - disc.shift[0], middle[1] - disc.shift[1]];
+        let part = Part::around(compared.plane, place, disc.reach() + MARGIN, self.axis.as_ref())?;
+        let mut found = first.align(&part, place, 2.0, beside(place));
+        if found.score < CLEAR {
+            let now = self.now.align(&part, place, 2.0, beside(place));
+            if now.score > found.score {
+                found = now;
+            }
+        }
+        let own = self.look.at(compared, disc.middle(found.position), taken);
+        if found.score < SCORE || own.score < agreement.score - 0.1 {
+            // Position by the outline only, accurate to about 1 px.
+            found = Found { position: place, variance: [1.0; 2], settled: true, light: [1.0, 0.0], ..found };
+        } else {
+            agreement = own;
+        }
+        let relative = agreement.relative();
+        let seen = agreement.best > DISTINCT * (1.0 - agreement.covered) || found.score >= SCORE;
+        if !seen || relative < part_of_best {
+            return None;
+        }
+        Some(Sighting {
+            agreement: f64::from(relative),
+            aside: false,
+            free: agreement.outside < self.around + TOUCH,
+            covered: agreement.covered,
+            is_distinct: agreement.best > CERTAIN * (1.0 - agreement.covered),
+            beside: beside(found.position),
+            outside: agreement.outside,
+            found,
+            part: Some(part),
+        })
+    }
+
+    /// Updates the appearance with what was found in a frame, where no other body is near.
+    pub(super) fn adapt(&mut self, compared: &Compared<'_>, one: &Sighting) {
+        if !one.free {
+            return;
+        }
+        self.around = if self.around < 1.0 { self.around + 0.2 * (one.outside - self.around) } else { one.outside };
+        if let Some(part) = one.part.as_ref().filter(|_| one.found.score >= SCORE && one.agreement > f64::from(WHOLE)) {
+            self.now.follow(part, &one.found, PACE);
+            self.look.follow(compared, self.now.disc.middle(one.found.position));
+        }
+    }
+
+    /// Position of another thing that looks like the body at a position, at a distance (px) in the range.
+    pub(super) fn rival(
+        &self,
+        (compared, first): (&Compared<'_>, &Template),
+        position: [f64; 2],
+        range: std::ops::Range<f64>,
+    ) -> Option<Sighting> {
+        let disc = first.disc;
+        let place = self.look.rival(compared, (disc.middle(position), disc.outline), range)?;
+        let place = [place[0] - disc.shift[0], place[1] - disc.shift[1]];
+        self.seek((compared, first), (place, 2.0), 0.0, Some(position))
+    }
+}

@@ -56,27 +56,36 @@ impl Clock {
         self.rejected.0[lane] = 0.0;
     }
 
-    /// Accepts the attempt of a lane of the block, or shortens the next one. False if it cannot be shorter.
+    /// Accepts the attempts of the `active` lanes of the block, or shortens the next ones. `stalled` becomes true for lanes whose
+    /// attempt cannot be shorter.
     #[inline(always)]
-    pub fn judge(&mut self, lane: usize, active: bool) -> bool {
-        let (found, size) = (self.found.0[lane], self.attempt.0[lane]);
-        let accepted = active && found <= 1.0;
-        self.accepted.0[lane] = f64::from(u8::from(accepted));
-        if accepted {
-            let most = if self.rejected.0[lane] == 0.0 { 10.0 } else { 1.0 };
-            self.growth.0[lane] = dormand_prince_growth(self.error.0[lane], found).clamp(0.2, most);
-        } else if active {
-            let end = self.end.0[lane];
-            let smallest = 16.0 * f64::EPSILON * end.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
-            if size <= smallest {
-                return false;
+    pub fn judge(&mut self, active: &[bool], stalled: &mut [bool]) {
+        let Self { error, found, rejected, .. } = *self;
+        self.growth = Block::each(|lane| {
+            let most = if rejected.0[lane] == 0.0 { 10.0 } else { 1.0 };
+            dormand_prince_growth(error.0[lane], found.0[lane]).clamp(0.2, most)
+        });
+        for (lane, (&active, stalled)) in active.iter().zip(stalled).enumerate() {
+            let accepted = active && found.0[lane] <= 1.0;
+            self.accepted.0[lane] = f64::from(u8::from(accepted));
+            if active && !accepted {
+                *stalled |= !self.shorten(lane);
             }
-            let shrinkage = dormand_prince_shrinkage(found);
-            // The comparison also covers NaN.
-            let shorter = size * if shrinkage > 0.2 { shrinkage } else { 0.2 };
-            self.attempt.0[lane] = shorter.max(smallest);
-            self.rejected.0[lane] = 1.0;
         }
+    }
+
+    /// Shortens the next attempt of a lane. False if it cannot be shorter.
+    fn shorten(&mut self, lane: usize) -> bool {
+        let (size, end) = (self.attempt.0[lane], self.end.0[lane]);
+        let smallest = 16.0 * f64::EPSILON * end.abs().max(f64::MIN_POSITIVE / f64::EPSILON);
+        if size <= smallest {
+            return false;
+        }
+        let shrinkage = dormand_prince_shrinkage(self.found.0[lane]);
+        // The comparison also covers NaN.
+        let shorter = size * if shrinkage > 0.2 { shrinkage } else { 0.2 };
+        self.attempt.0[lane] = shorter.max(smallest);
+        self.rejected.0[lane] = 1.0;
         true
     }
 

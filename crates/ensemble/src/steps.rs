@@ -214,9 +214,8 @@ impl Steps {
     /// Accepts attempts, or shortens the next ones.
     #[inline(always)]
     fn judge(&mut self, active: &[bool], stalled: &mut [bool]) {
-        for (lane, (&active, stalled)) in active.iter().zip(stalled).enumerate() {
-            *stalled |= !self.clocks[lane / WIDTH].judge(lane % WIDTH, active);
-        }
+        let lanes = active.chunks(WIDTH).zip(stalled.chunks_mut(WIDTH));
+        self.clocks.iter_mut().zip(lanes).for_each(|(clock, (active, stalled))| clock.judge(active, stalled));
     }
 
     /// Takes over the accepted attempts.

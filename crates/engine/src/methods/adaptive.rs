@@ -1,7 +1,9 @@
 //! Step size control of the methods with an error estimate.
 
 mod ahead;
+mod control;
 
+use self::control::{growth, shrinkage};
 use super::dormand_prince::{DormandPrince, dense_value};
 use super::equations::Equations;
 use super::last_step::LastStep;
@@ -318,20 +320,6 @@ impl Adaptive {
         }
         (sum / self.error.len().max(1) as f64).sqrt()
     }
-}
-
-/// Exponent of the error before in the controller.
-const INTEGRAL: f64 = 0.04;
-
-/// Factor by which the step grows after an error that is allowed, before it is bounded. `before`: error of the step before;
-/// both in units of the allowed error.
-fn growth(order: f64, before: f64, error: f64) -> f64 {
-    0.9 * libm::pow(before, INTEGRAL) / libm::pow(error.max(1e-10), 1.0 / order - 0.75 * INTEGRAL)
-}
-
-/// Factor by which the step shrinks after an error that is not allowed, before it is bounded.
-fn shrinkage(order: f64, error: f64) -> f64 {
-    0.9 / libm::pow(error, 1.0 / order - 0.75 * INTEGRAL)
 }
 
 fn step(

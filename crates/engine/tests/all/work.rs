@@ -73,8 +73,8 @@ fn golden_runs() {
         [0x66f7_e21b_f15e_f06e, 0xd4b8_c775_337b_17ae],
         [0x20eb_e177_534b_1a65, 0x4ded_038f_dafb_b528],
         [0x8426_e105_a776_4702, 0x9980_99bb_7139_f57b],
-        [0xfb5d_9201_79e1_53c6, 0x9ff2_ccfd_eebc_36e4],
-        [0x5160_bf33_09ca_1bf2, 0xc91b_8596_a2a6_3c9c],
+        [0xa1af_aec0_415f_27f5, 0x98c7_c7a2_6459_84d5],
+        [0x17d2_49ec_6f17_ab12, 0xfeda_1223_8bb2_e24c],
     ];
     assert_eq!(prints, expected);
 }

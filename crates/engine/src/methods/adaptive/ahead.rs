@@ -1,6 +1,7 @@
 //! Steps of the Dormand-Prince method that compiled code has made in advance.
 
-use super::{Adaptive, Pair, growth, shrinkage};
+use super::control::{growth, shrinkage};
+use super::{Adaptive, Pair};
 use crate::compiled::window::Begin;
 use crate::methods::equations::Equations;
 use crate::methods::last_step::LastStep;
@@ -70,11 +71,13 @@ impl Adaptive {
 
 /// Factor by which the controller of the Dormand-Prince method lets a step grow, before it is bounded (see
 /// [`WindowLayout`](crate::WindowLayout)). `before`: error of the step before; both in units of the allowed error.
+#[inline(always)]
 pub fn dormand_prince_growth(before: f64, error: f64) -> f64 {
     growth(5.0, before, error)
 }
 
 /// Factor by which it lets a step shrink after an error that is not allowed, before it is bounded.
+#[inline(always)]
 pub fn dormand_prince_shrinkage(error: f64) -> f64 {
     shrinkage(5.0, error)
 }

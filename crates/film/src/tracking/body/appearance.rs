@@ -132,7 +132,7 @@ impl Appearance {
         }
     }
 
-    /// Position of another thing that looks like the body at a position, at a distance (px) in the range.
+    /// Another body of the same look, which matches the template, at a distance (px) in the range from the body at a position.
     pub(super) fn rival(
         &self,
         (compared, first): (&Compared<'_>, &Template),
@@ -142,6 +142,6 @@ impl Appearance {
         let disc = first.disc;
         let place = self.look.rival(compared, (disc.middle(position), disc.outline), range)?;
         let place = [place[0] - disc.shift[0], place[1] - disc.shift[1]];
-        self.seek((compared, first), (place, 2.0), 0.0, Some(position))
+        self.seek((compared, first), (place, 2.0), 0.0, Some(position)).filter(|one| one.found.score >= SCORE)
     }
 }

@@ -37,9 +37,14 @@ pub fn go_on(app: App) {
         return;
     }
     wasm_bindgen_futures::spawn_local(async move {
-        let refusal = follow(app).await;
-        // The views of the record are built in a separate slice.
-        browser::breathe().await;
+        let refusal = loop {
+            let refusal = follow(app).await;
+            // The views of the record are built in a separate slice. Another tracking may begin before it.
+            browser::breathe().await;
+            if refusal.is_some() || !app.read_desk(|desk| desk.films().is_tracking()) {
+                break refusal;
+            }
+        };
         app.with(|lab| lab.tracking = false);
         app.films.progress.set(None);
         refuse(app, refusal);

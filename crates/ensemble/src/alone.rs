@@ -9,7 +9,7 @@ use std::borrow::Cow;
 pub struct Alone<'a> {
     model: Cow<'a, Model>,
     setup: &'a Setup,
-    /// What is read at each row.
+    /// Values that are read at each row.
     nodes: &'a [NodeId],
     made: Option<Made>,
 }

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use analysis::fit::{Outcome, Ranked, rank as order, worth};
-use report::{Ranking, Report};
+use report::{FitReport, Ranking, Report};
 use runner::fitting::{Columns, Contender, FitSettings, Fitted, Theory, ranking_as_json, tied};
 use std::fmt::Write;
 use units::Unit;
@@ -112,9 +112,9 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
     for (_, sentence) in tied(contenders, ranked) {
         let _ = writeln!(text, "\n{sentence}");
     }
-    if let Some(first) = ranked.first().map(|ranked| &contenders[ranked.index].fitted) {
-        let best = &first.outcome;
-        let report = first.fit_report();
+    let reports: Vec<FitReport> = contenders.iter().map(|one| one.fitted.fit_report()).collect();
+    if let Some(first) = ranked.first() {
+        let (best, report) = (&contenders[first.index].fitted.outcome, &reports[first.index]);
         let _ = writeln!(text, "\nOf the best: {}", report.verdict);
         let worth = worth(best);
         if worth < 0.8 {
@@ -127,12 +127,12 @@ fn table(contenders: &[Contender], ranked: &[Ranked], arguments: &Arguments) -> 
                 plain(worth, 2, Style::POINT)
             );
         }
-        for finding in report.findings {
+        for finding in &report.findings {
             let _ = writeln!(text, "{finding}");
         }
     }
-    for one in contenders {
-        for warning in one.fitted.fit_report().warnings {
+    for (one, report) in contenders.iter().zip(&reports) {
+        for warning in &report.warnings {
             let _ = writeln!(text, "{}: {warning}", one.fitted.theory.document.program.title);
         }
     }

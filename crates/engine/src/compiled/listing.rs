@@ -54,7 +54,7 @@ pub struct Formulas {
     pub registers: usize,
 }
 
-/// What precedes the operations of formulas when parameters or initial values have changed.
+/// Operations that precede formulas when parameters or initial values have changed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Preparation {
     /// Operations in an order in which they can be executed.

@@ -19,7 +19,7 @@ impl Surfaces {
         [Some(self.events.conditions()), self.switches.truths(), self.timetable.even(), values, slopes]
     }
 
-    /// What precedes the formulas of [`Surfaces::window`], whose interpolations begin at the index `first`; `None` if it solves
+    /// Preparations of the formulas of [`Surfaces::window`], whose interpolations begin at the index `first`; `None` if it solves
     /// linear systems.
     pub fn preparations(&self, mut first: usize) -> Option<[Preparation; 5]> {
         let mut preparations: [Preparation; 5] = Default::default();

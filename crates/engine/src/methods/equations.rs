@@ -116,7 +116,7 @@ impl Equations {
         self.order.as_ref().map(|order| order.states.as_slice())
     }
 
-    /// What precedes the operations of the listing; `None` if it solves linear systems.
+    /// Preparation of the operations of the listing; `None` if it solves linear systems.
     pub fn preparation(&self) -> Option<Preparation> {
         self.rates.preparation(0)
     }

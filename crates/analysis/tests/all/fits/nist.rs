@@ -127,7 +127,7 @@ fn certified_values_are_reached_from_both_starts() {
             // Lanczos1 is exact: its residuals are the rounding of its data to 14 digits, and depend on the order of
             // operations.
             let exact = problem.name == "Lanczos1";
-            // Those of Lanczos3 depend on each other: steps end within 1e-6 of a standard deviation, where the sum is constant to
+            // The parameters of Lanczos3 depend on each other: steps end within 1e-6 of a standard deviation, where the sum is constant to
             // rounding.
             let [values, deviations] = match problem.name {
                 "Lanczos1" => [1e-9, 1e-2],

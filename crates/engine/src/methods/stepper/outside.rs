@@ -26,7 +26,7 @@ impl Stepper {
         self.surfaces.is_smooth()
     }
 
-    /// What precedes the operations of the [`Stepper::listing`]: those of the rates, then each of the
+    /// Preparations of the operations of the [`Stepper::listing`]: of the rates, then each of the
     /// [`WindowListing::formulas`](crate::WindowListing). `None` if it solves linear systems.
     pub fn preparations(&self) -> Option<(Preparation, [Preparation; 5])> {
         let (rates, first) = (self.equations.preparation()?, self.equations.interpolations());

@@ -16,6 +16,12 @@ pub(super) fn sought(radius: f64) -> std::ops::Range<f64> {
     SOUGHT[0] * radius..SOUGHT[1] * radius
 }
 
+/// Places (px) in a square around a middle: so many steps of so many px in each direction.
+fn square(middle: [f64; 2], steps: i64, step: f64) -> impl Iterator<Item = [f64; 2]> {
+    let offsets = (-steps..=steps).flat_map(move |row| (-steps..=steps).map(move |column| [column, row]));
+    offsets.map(move |place| [0, 1].map(|k| middle[k] + step * place[k] as f64))
+}
+
 impl Look {
     /// The middle of another body in the frame of a click, whose background is not known yet.
     pub(super) fn twin(&self, frame: &Compared<'_>, own: Around) -> Option<[f64; 2]> {
@@ -23,18 +29,14 @@ impl Look {
         let step = (radius / 4.0).max(1.0);
         let range = sought(radius);
         let steps = (range.end / step) as i64;
-        let places = |middle: [f64; 2], steps: i64, step: f64| {
-            let offsets = (-steps..=steps).flat_map(move |row| (-steps..=steps).map(move |column| [column, row]));
-            offsets.map(move |place| [0, 1].map(|k| middle[k] + step * place[k] as f64))
-        };
         let best = |places: &mut dyn Iterator<Item = [f64; 2]>| {
             let places = places.filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
             let likeness = places.map(|place| (place, self.likeness(frame, place, own)));
             likeness.max_by(|one, other| one.1.total_cmp(&other.1))
         };
-        let (place, value) = best(&mut places(middle, steps, step))?;
+        let (place, value) = best(&mut square(middle, steps, step))?;
         let (place, value) =
-            if value > LIKE / 2.0 { best(&mut places(place, step as i64, 1.0))? } else { (place, value) };
+            if value > LIKE / 2.0 { best(&mut square(place, step as i64, 1.0))? } else { (place, value) };
         (value > LIKE).then_some(place)
     }
 
@@ -47,10 +49,8 @@ impl Look {
     ) -> Option<[f64; 2]> {
         let step = (radius / 3.0).max(1.0);
         let steps = (range.end / step) as i64;
-        let places = (-steps..=steps).flat_map(|row| (-steps..=steps).map(move |column| [column, row]));
-        let places = places
-            .map(|place| [0, 1].map(|k| middle[k] + step * place[k] as f64))
-            .filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
+        let places =
+            square(middle, steps, step).filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
         let agreements = places.filter_map(|place| {
             let agreement = self.at_once(frame, place)?;
             (agreement.score >= RIVAL * agreement.best).then_some((place, agreement.score))

@@ -23,7 +23,7 @@ pub(super) const COVERED: f32 = 0.85;
 const PASSED: f64 = 8.0;
 /// Maximum number of frames in which a covered rival is awaited.
 const AWAITED: usize = 60;
-/// Numbers of positions on each side of a meeting by which the bodies are told apart, and the greatest one.
+/// Numbers of positions on each side of a meeting by which the motion distinguishes the bodies, and the greatest one.
 const SIDES: [usize; 5] = [5, 8, 12, 16, MOST];
 pub(super) const MOST: usize = 24;
 /// Maximum distance from the smooth curve through a meeting, px and relative to the radius, of a position that is certain.

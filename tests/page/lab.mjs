@@ -58,7 +58,8 @@ before(() => {
 /** Chromium, started by the first visit: the tests in Firefox use this file without it. */
 async function started() {
   assert.ok(process.env.CHROME, "CHROME must name the browser; `cargo xtask test` finds it");
-  browser ??= await chromium.launch({ executablePath: process.env.CHROME, args: SWITCHES });
+  const more = process.env.CHROME_SWITCHES?.split(" ") ?? [];
+  browser ??= await chromium.launch({ executablePath: process.env.CHROME, args: [...SWITCHES, ...more] });
   return browser;
 }
 

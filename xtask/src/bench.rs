@@ -287,9 +287,8 @@ fn in_wasm(browser: Option<std::path::PathBuf>) -> Result<Numbers> {
 /// Runs `measure.mjs` with these variables, in a browser or in Node.
 fn pace_in_wasm(browser: Option<std::path::PathBuf>, pages: &[(&str, std::path::PathBuf)]) -> Result<Numbers> {
     let probe = steps::target().join("probe").join("page");
-    for module in wasm::build(&["probe"])? {
-        wasm::bind(&module, Host::Page("wasm_bindgen"), &probe)?;
-    }
+    wasm::build()?;
+    wasm::bind(&wasm::module("probe"), Host::Page("wasm_bindgen"), &probe)?;
     let script = steps::root().join("tests").join("page").join("measure.mjs");
     let mut measure = steps::program(tools::node()?, &[]);
     measure.arg(script).env("PROBE", probe).env_remove("PAGE").envs(pages.iter().map(|(name, path)| (name, path)));

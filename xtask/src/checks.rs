@@ -7,9 +7,14 @@ use anyhow::Result;
 /// Runs all checks. Stops at the first failure.
 pub fn all() -> Result<()> {
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
-    // The program embeds the page if it was built, and only then can it export and serve in the checks.
-    step("the page", page::build)?;
-    step("lints", lints)?;
+    tools::wasm_target()?;
+    // The program embeds the page if it was built, and only then can it export and serve in the checks. A minute of its build
+    // keeps one processor busy, and lints need none of it: cargo has a folder and a lock for each profile.
+    std::thread::scope(|scope| {
+        let lints = scope.spawn(|| step("lints", lints));
+        step("the page", page::build)?;
+        lints.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })?;
     step("unit and integration tests", tests)?;
     step("the class server before Postgres", postgres)?;
     step("golden runs in WebAssembly", golden::compare)?;
@@ -28,27 +33,27 @@ pub fn full() -> Result<()> {
     })
 }
 
+/// Tests of the workspace: one selection of packages for all steps, since another one would give them other features.
+const WORKSPACE: [&str; 8] = ["test", "--workspace", "--exclude", "lab", "--exclude", "python", "--exclude", "xtask"];
+
 fn tests() -> Result<()> {
     // Tested separately, as it was built to run this: in a common build its dependencies would get other features and
     // be built twice.
     run(&mut cargo(&["test", "--package", "xtask"]))?;
-    let mut workspace =
-        cargo(&["test", "--workspace", "--exclude", "lab", "--exclude", "python", "--exclude", "xtask"]);
     // Generated cases are the same in each check, so that a change is judged by what it changed. `cargo test` draws others.
-    run(workspace.env("PROPTEST_RNG_SEED", "1"))
+    run(cargo(&WORKSPACE).env("PROPTEST_RNG_SEED", "1"))
 }
 
 /// Tests of the class server that need Postgres, of which each test program starts one of its own.
 fn postgres() -> Result<()> {
-    let tests = ["test", "--package", "server", "--test", "all", "postgres::", "--", "--ignored"];
-    run(cargo(&tests).env(tools::POSTGRES, tools::postgres()?))
+    let tests = ["--test", "all", "postgres::", "--", "--ignored"];
+    run(cargo(&WORKSPACE).args(tests).env(tools::POSTGRES, tools::postgres()?))
 }
 
 fn lints() -> Result<()> {
     const STRICT: [&str; 3] = ["--", "-D", "warnings"];
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
     run(cargo(&["clippy", "--package", "python"]).args(STRICT))?;
-    tools::wasm_target()?;
     let browser = ["clippy", "--package", "lab", "--package", "probe"];
     run(cargo(&browser).args(["--target", tools::TARGET]).args(STRICT))
 }
@@ -65,5 +70,7 @@ fn browsers() -> Result<()> {
         tests.env(browser.variable, browser.path()?);
     }
     tests.env("MENISCUS", program).env("PAGE", steps::page());
+    // Visits are over before the optimizing compiler of WebAssembly pays: it took a tenth of the time of all tests.
+    tests.env("CHROME_SWITCHES", "--js-flags=--liftoff-only");
     run(&mut tests)
 }

@@ -8,9 +8,8 @@ use std::path::Path;
 /// `crates/probe/golden.txt`.
 pub fn compare() -> Result<()> {
     let directory = steps::target().join("probe").join("node");
-    for module in wasm::build(&["probe"])? {
-        wasm::bind(&module, wasm::Host::Node, &directory)?;
-    }
+    wasm::build()?;
+    wasm::bind(&wasm::module("probe"), wasm::Host::Node, &directory)?;
     for function in ["golden", "golden_emitted"] {
         compare_function(&directory.join("probe.js"), function)?;
     }

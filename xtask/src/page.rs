@@ -104,8 +104,8 @@ struct Bound {
 
 /// Builds the pages and returns the path of the laboratory.
 pub fn build() -> Result<PathBuf> {
-    let modules = wasm::build(KINDS.map(|kind| kind.package).as_slice())?;
-    let bound = KINDS.iter().zip(modules).map(|(kind, module)| bound(kind, &module)).collect::<Result<Vec<_>>>()?;
+    wasm::build()?;
+    let bound = KINDS.iter().map(|kind| bound(kind, &wasm::module(kind.package))).collect::<Result<Vec<_>>>()?;
     let [player, laboratory] = bound.as_slice() else { bail!("there are two pages") };
     let mut bare = String::new();
     for kind in KINDS {

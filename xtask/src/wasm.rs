@@ -18,13 +18,15 @@ pub enum Host {
     Page(&'static str),
 }
 
-/// Builds packages of the workspace. Returns the path of the module of each.
-pub fn build(packages: &[&str]) -> Result<Vec<PathBuf>> {
+/// Packages of the workspace that are modules.
+const PACKAGES: [&str; 3] = ["player", "lab", "probe"];
+
+/// Builds all modules, always together: alone, each would give the crates that they share other features, and build them again.
+pub fn build() -> Result<()> {
     tools::wasm_target()?;
     let mut build = steps::cargo(&["build", "--target", TARGET, "--profile", "page"]);
-    build.args(packages.iter().flat_map(|package| ["--package", package]));
-    steps::run(&mut build)?;
-    Ok(packages.iter().map(|package| module(package)).collect())
+    build.args(PACKAGES.iter().flat_map(|package| ["--package", package]));
+    steps::run(&mut build)
 }
 
 /// Path of the module of a package, which includes the names of its functions.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
+use std::sync::LazyLock;
 
 const SPANISH: &str =
     "---\ntitle: Un muelle\nlanguage: es\ntranslates: spring.md\n---\n\nUn cuerpo cuelga de un muelle.\n";
@@ -49,21 +50,37 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
+/// Files of the site of these documents. It takes seconds, and most tests begin with it.
+static SITE: LazyLock<BTreeMap<String, Vec<u8>>> = LazyLock::new(|| {
+    let directory = documents();
+    let done = build(directory.path());
+    assert_eq!(done.code, 0, "{}", done.stderr);
+    assert!(done.stderr.contains("no simulation in it: README.md and data.csv"), "{}", done.stderr);
+    assert_eq!(names(directory.path()), ["docs", "site"]);
+    contents(&directory.path().join("site"))
+});
+
+/// A temporary folder with these documents and their site beside them.
+fn built() -> tempfile::TempDir {
+    let directory = documents();
+    for (name, content) in SITE.iter() {
+        let path = directory.path().join("site").join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, content).expect("it can be written");
+    }
+    directory
+}
+
 fn text(files: &BTreeMap<String, Vec<u8>>, name: &str) -> String {
     String::from_utf8(files[name].clone()).expect("UTF-8")
 }
 
 #[test]
 fn each_document_becomes_a_page_and_a_card() {
-    let directory = documents();
-    let done = build(directory.path());
-    assert_eq!(done.code, 0, "{}", done.stderr);
-    assert!(done.stderr.contains("no simulation in it: README.md and data.csv"), "{}", done.stderr);
-    assert_eq!(names(directory.path()), ["docs", "site"]);
-    let files = contents(&directory.path().join("site"));
+    let files = &*SITE;
     let pages: Vec<&String> = files.keys().filter(|name| name.ends_with(".html")).collect();
     assert_eq!(pages, ["index.html", "laboratory.html", "más difícil/a & b #1.html", "spring.html"]);
-    let index = text(&files, "index.html");
+    let index = text(files, "index.html");
     for part in [
         "<a href=\"spring.html\">A spring</a>",
         "<a href=\"spring.html\">Un muelle</a>",
@@ -75,7 +92,7 @@ fn each_document_becomes_a_page_and_a_card() {
     ] {
         assert!(index.contains(part), "{part} in {index}");
     }
-    let deep = text(&files, "más difícil/a & b #1.html");
+    let deep = text(files, "más difícil/a & b #1.html");
     assert!(deep.contains("<title>&lt;b&gt;Hard&lt;/b&gt;"), "its title");
     assert!(
         deep.contains("href=\"../laboratory.html#1&amp;d=m%C3%A1s%20dif%C3%ADcil/a%20%26%20b%20%231.md\""),
@@ -84,8 +101,8 @@ fn each_document_becomes_a_page_and_a_card() {
     assert!(deep.contains("data-worker=\"../sw.js\""), "the service worker");
     // The documents of the laboratory are a script of their own, with the list as a text.
     let library = files.keys().find(|name| name.starts_with("assets/library-") && name.ends_with(".js")).unwrap();
-    assert!(text(&files, "laboratory.html").contains(&format!("data-script=\"{library}\"")));
-    let documents = text(&files, library);
+    assert!(text(files, "laboratory.html").contains(&format!("data-script=\"{library}\"")));
+    let documents = text(files, library);
     let has = |name: &str| documents.contains(&format!("\\\"name\\\":\\\"{name}\\\""));
     assert!(has("spring.es.md") && has("theories/linear.md"));
     assert!(!has("utube.md"), "only theories are taken along");
@@ -93,13 +110,8 @@ fn each_document_becomes_a_page_and_a_card() {
 
 #[test]
 fn no_page_has_a_script_of_its_own_or_names_another_host() {
-    let directory = documents();
-    build(directory.path());
-    for (name, content) in contents(&directory.path().join("site")) {
-        if !name.ends_with(".html") {
-            continue;
-        }
-        let page = String::from_utf8(content).expect("UTF-8");
+    for name in SITE.keys().filter(|name| name.ends_with(".html")) {
+        let page = text(&SITE, name);
         for tag in page.split("<script").skip(1).map(|rest| rest.split('>').next().unwrap_or_default()) {
             assert!(tag.contains(" src=\"") || tag.contains("type=\"application/"), "{name}: <script{tag}>");
         }
@@ -113,9 +125,7 @@ fn no_page_has_a_script_of_its_own_or_names_another_host() {
 
 #[test]
 fn texts_are_there_compressed_as_well() {
-    let directory = documents();
-    build(directory.path());
-    let files = contents(&directory.path().join("site"));
+    let files = &*SITE;
     for ending in [".gz", ".br"] {
         let packed: Vec<_> = files.iter().filter(|(name, _)| name.ends_with(ending)).collect();
         assert!(packed.len() >= 10, "{packed:?}");
@@ -134,21 +144,17 @@ fn texts_are_there_compressed_as_well() {
 
 #[test]
 fn the_same_documents_give_the_same_bytes() {
+    let directory = built();
+    assert_eq!(build(directory.path()).code, 0);
+    assert!(contents(&directory.path().join("site")) == *SITE, "over the last build");
     let directory = documents();
     build(directory.path());
-    let site = directory.path().join("site");
-    let before = contents(&site);
-    assert_eq!(build(directory.path()).code, 0);
-    assert_eq!(contents(&site), before);
-    fs::remove_dir_all(&site).expect("it is there");
-    build(directory.path());
-    assert_eq!(contents(&site), before);
+    assert!(contents(&directory.path().join("site")) == *SITE, "alone");
 }
 
 #[test]
 fn a_new_build_replaces_the_last_one_and_nothing_else() {
-    let directory = documents();
-    build(directory.path());
+    let directory = built();
     let site = directory.path().join("site");
     fs::write(site.join("CNAME"), "example.org").expect("it can be written");
     fs::remove_dir_all(directory.path().join("docs/más difícil")).expect("it is there");
@@ -172,8 +178,7 @@ fn a_new_build_replaces_the_last_one_and_nothing_else() {
 
 #[test]
 fn an_error_in_a_document_leaves_the_site_as_it_was() {
-    let directory = documents();
-    build(directory.path());
+    let directory = built();
     let before = contents(&directory.path().join("site"));
     fs::write(directory.path().join("docs/broken.md"), SPRING.replace("k*x = 0", "k*y = 0")).expect("written");
     let done = build(directory.path());
@@ -208,8 +213,7 @@ fn folders_and_files_of_others_are_refused() {
 #[cfg(unix)]
 #[test]
 fn nothing_is_written_or_removed_outside_of_the_site() {
-    let directory = documents();
-    build(directory.path());
+    let directory = built();
     let site = directory.path().join("site");
     let outside = directory.path().join("outside");
     fs::rename(site.join("más difícil"), &outside).expect("it is there");

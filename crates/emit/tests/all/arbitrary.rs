@@ -18,5 +18,5 @@ fn other_arbitrary_programs_have_the_same_bits_in_emitted_code() {
 
 fn compare(first: u64) {
     let rows: usize = (first..first + PROGRAMS).map(|seed| compare_text(&programs::of_seed(seed))).sum();
-    assert!(rows > 100 * PROGRAMS as usize / 2, "the programs make {rows} rows");
+    assert!(rows > 40 * PROGRAMS as usize, "the programs make {rows} rows");
 }

@@ -21,7 +21,7 @@ impl Figure {
         let size = LABEL * self.font_size;
         let last = |series: &&Series<'_>| -> Option<[f64; 2]> {
             let y = self.y.get(series.axis)?;
-            let is_visible = |row: &usize| x.values.contains(series.x[*row]) && y.values.contains(series.y[*row]);
+            let is_visible = |row: &usize| x.shows(series.x[*row]) && y.shows(series.y[*row]);
             let row = visible_rows(plot, series, &x).rev().find(is_visible)?;
             Some([x.pixel(series.x[row]), y.pixel(series.y[row]) - ABOVE * size])
         };

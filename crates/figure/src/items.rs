@@ -202,6 +202,12 @@ impl Scale {
         self.values.low * (1.0 - fraction) + self.values.high * fraction
     }
 
+    /// True if a value is between both ends, or beyond one of them by less than half a pixel: a value at an end may be rounded.
+    pub(crate) fn shows(&self, value: f64) -> bool {
+        let pixel = self.pixel(value);
+        pixel >= self.low.min(self.high) - 0.5 && pixel <= self.low.max(self.high) + 0.5
+    }
+
     /// Pixels per unit of value; negative if pixels decrease with the value.
     pub(crate) fn factor(&self) -> f64 {
         (self.high - self.low) / self.values.length()

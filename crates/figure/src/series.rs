@@ -89,7 +89,7 @@ impl Figure {
     pub(crate) fn present(&mut self, plot: &Plot<'_>) {
         let Some(x) = self.x else { return };
         let panel = self.panel;
-        if let Some(marker) = plot.marker.filter(|marker| x.values.contains(*marker)) {
+        if let Some(marker) = plot.marker.filter(|marker| x.shows(*marker)) {
             let pixel = crisp(x.pixel(marker));
             let stroke = Stroke { ink: Ink::Marker, width: 1.0, dash: Dash::Solid };
             let (from, to) = (Point { x: pixel, y: panel.y }, Point { x: pixel, y: panel.y + panel.height });
@@ -99,7 +99,7 @@ impl Figure {
             let (Some((at_x, at_y)), Some(y)) = (series.present, self.y.get(series.axis)) else {
                 continue;
             };
-            if x.values.contains(at_x) && y.values.contains(at_y) {
+            if x.shows(at_x) && y.shows(at_y) {
                 let start = self.points.len();
                 self.points.extend([x.pixel(at_x) as f32, y.pixel(at_y) as f32]);
                 let centres = start..self.points.len();

@@ -146,6 +146,23 @@ fn zeros_of_all_axes_are_level_and_the_present_is_marked() {
     assert_eq!(dots, [(x.pixel(5.0) as f32, left.pixel(displacement[100]) as f32)]);
 }
 
+/// A value at the end of an axis may be greater than it by rounding; one further out is not seen.
+#[test]
+fn the_present_is_seen_at_the_end_of_an_axis() {
+    let (time, displacement, _) = columns(201);
+    for (value, dots) in [(3.0, 1), (3.0_f64.next_up(), 1), (3.1, 0), (f64::NAN, 0)] {
+        let plot = Plot {
+            x: time_axis(),
+            y: vec![axis("y", "m")],
+            series: vec![Series { x: &time, y: &displacement, present: Some((0.0, value)), ..Series::default() }],
+            view: View { x: None, y: vec![Interval { low: -3.0, high: 3.0 }] },
+            ..Plot::default()
+        };
+        let figure = layout(&plot, &settings(640.0, 320.0));
+        assert_eq!(figure.items().filter(|item| matches!(item, Item::Dots { .. })).count(), dots, "{value}");
+    }
+}
+
 #[test]
 fn labels_never_overlap_and_a_phone_has_fewer() {
     let (time, displacement, _) = columns(2001);

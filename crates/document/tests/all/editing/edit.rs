@@ -67,12 +67,13 @@ fn with_parameter(text: &str, name: &str, value: &str) -> String {
     changed(text, set_parameter(&read(text), name, value))
 }
 
-/// Every numeric parameter of every document gets another value of its range.
+/// Up to four numeric parameters of every document get another value of their range.
 #[test]
 fn a_parameter_gets_another_default_and_nothing_else_changes() {
     for text in documents() {
         let before = program(&text);
-        for (index, parameter) in before.model.parameters.iter().enumerate() {
+        let (kept, every) = (bytes(&before), before.model.parameters.len().div_ceil(4).max(1));
+        for (index, parameter) in before.model.parameters.iter().enumerate().step_by(every) {
             if parameter.choices != program::Choices::Numbers {
                 continue;
             }
@@ -91,7 +92,7 @@ fn a_parameter_gets_another_default_and_nothing_else_changes() {
             let mut after = program(&edited);
             assert_eq!(after.model.parameters[index].value, parameter.unit.to_si(asked));
             after.model.parameters[index].value = parameter.value;
-            assert!(bytes(&after) == bytes(&before), "{} of {}", parameter.name, before.title);
+            assert!(bytes(&after) == kept, "{} of {}", parameter.name, before.title);
             if index == 0 {
                 let windows = with_parameter(&text.replace('\n', "\r\n"), &parameter.name, &asked.to_string());
                 assert_eq!(windows, edited.replace('\n', "\r\n"));

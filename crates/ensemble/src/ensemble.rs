@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub const LANES: usize = 64;
 
 /// Registers of so many numbers stay in the caches of a processor.
-const NUMBERS: usize = 1 << 16;
+pub(crate) const NUMBERS: usize = 1 << 16;
 
 /// Runs of one model side by side, each with its own parameters. Every run has the bits of a single one.
 #[derive(Clone, Debug)]

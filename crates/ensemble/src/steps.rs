@@ -38,6 +38,11 @@ impl Steps {
         }
     }
 
+    /// Replaces the settings of the step control, before lanes begin.
+    pub fn set_control(&mut self, control: StepControl) {
+        self.control = control;
+    }
+
     /// Makes room for so many states and blocks of lanes.
     pub fn resize(&mut self, states: usize, blocks: usize) {
         self.to = Grid::new(states, blocks);

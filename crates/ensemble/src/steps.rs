@@ -250,7 +250,9 @@ impl Steps {
                 let third = Block::each(|lane| change.0[lane] - size.0[lane] * last.0[lane] - bend.0[lane]);
                 let fourth = Block::each(|lane| highest.0[lane] * size.0[lane]);
                 let new = [from, change, bend, third, fourth];
-                *dense = std::array::from_fn(|degree| taken(new[degree], known[degree]));
+                for (degree, dense) in dense.iter_mut().enumerate() {
+                    *dense = taken(new[degree], known[degree]);
+                }
                 stages[0] = taken(last, first);
                 let to = taken(result, from);
                 self.to.row_mut(state)[block] = to;

@@ -23,7 +23,7 @@ pub struct Outcome {
 }
 
 /// Greatest number of operations ([`Ensemble::work`]) of runs that are computed on the thread of the caller: to wake others takes longer.
-const SMALL: u64 = 200_000;
+const SMALL: u64 = 40_000;
 
 /// What runs of one model with one setup need, whatever the plan says: compiled once.
 #[derive(Debug)]

@@ -19,7 +19,7 @@ fn task(document: &Document, records: usize) -> Task {
     let model = &document.program.model;
     let observed = model.lookup("y", 0).unwrap();
     let record = |number: usize| {
-        let times: Vec<f64> = (0..60 + 13 * number).map(|row| 0.4 * number as f64 + row as f64 / 30.0).collect();
+        let times: Vec<f64> = (0..40 + 7 * number).map(|row| 0.4 * number as f64 + row as f64 / 30.0).collect();
         let level = |(row, time): (usize, &f64)| {
             let since = time - times[0];
             let noise = 1e-4 * libm::sin((37 * row * row + 11 * number) as f64);

@@ -184,6 +184,8 @@ fn ensembles(numbers: &Numbers) {
         ("sweep-call", "sweep of 64 short runs, prepared", "us", "at most 30"),
         ("sweep-utube", "sweep of 64 U-tubes side by side", "times as fast", "as one by one"),
         ("sweep-bouncing-ball", "sweep of 64 bouncing balls", "times as fast", "as one by one"),
+        ("fit-profiles", "profiles of a fit of a motion side by side", "times as fast", "as one by one; at least 2"),
+        ("fit-records", "fit of a motion to 8 records side by side", "times as fast", "as one by one"),
     ] {
         if let Some(value) = numbers.get(name) {
             row(title, *value, unit, aim);
@@ -239,10 +241,11 @@ fn row(title: &str, value: f64, unit: &str, aim: &str) {
 }
 
 fn native() -> Result<Numbers> {
-    const EXAMPLES: [(&str, &str); 6] = [
+    const EXAMPLES: [(&str, &str); 7] = [
         ("probe", "pace"),
         ("probe", "ensembles"),
         ("runner", "sweeps"),
+        ("runner", "fits"),
         ("probe", "systems"),
         ("probe", "fits"),
         ("analysis", "import_rows"),

@@ -12,6 +12,7 @@ mod texts;
 mod tools;
 mod wasm;
 mod weight;
+mod wheel;
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;

@@ -62,12 +62,15 @@ fn program(environment: &Path, name: &str) -> PathBuf {
     environment.join(if cfg!(windows) { "Scripts" } else { "bin" }).join(name)
 }
 
-/// Builds the wheel into a folder, which then holds nothing else.
+/// Builds the wheel into a folder, which then holds nothing else, and packs it as small as possible.
 fn wheel(maturin: &Path, package: &Path, folder: &Path) -> Result<PathBuf> {
     if folder.exists() {
         fs::remove_dir_all(folder)?;
     }
     run(Command::new(maturin).args(["build", "--compression-level", "9", "--out"]).arg(folder).current_dir(package))?;
-    let wheel = fs::read_dir(folder)?.next().context("maturin has built no wheel")?;
-    Ok(wheel?.path())
+    let wheel = fs::read_dir(folder)?.next().context("maturin has built no wheel")??.path();
+    let packed =
+        crate::wheel::repacked(&fs::read(&wheel)?).with_context(|| format!("cannot repack {}", wheel.display()))?;
+    fs::write(&wheel, packed)?;
+    Ok(wheel)
 }

@@ -38,6 +38,7 @@ impl Ensemble {
         let mut times = Grid::new(1, blocks);
         let (step, all, taken) = (self.grid.step, self.grid.all, self.grid.taken);
         let reads = !self.readings.is_empty();
+        self.attempts = all;
         for index in 0..all {
             let Self { method: Method::Fixed(fixed), rates, .. } = self else { return };
             fixed.step(self.width, rates, self.grid.at(index), step);
@@ -123,6 +124,7 @@ impl Ensemble {
         while self.lanes.running.contains(&true) {
             let Self { method: Method::Adaptive(steps, _), rates, lanes, .. } = self else { return };
             stalled.fill(false);
+            self.attempts += 1;
             steps.attempt(self.width, rates, &lanes.running, &mut stalled);
             for (lane, &stalled) in stalled.iter().enumerate() {
                 let crowded = self.lanes.steps[lane] >= MANY_STEPS;

@@ -74,6 +74,11 @@ impl Body {
         self.preparation.registers.len()
     }
 
+    /// Number of operations.
+    pub fn operations(&self) -> usize {
+        self.lines.len()
+    }
+
     /// Number of values.
     pub fn len(&self) -> usize {
         self.roots.len()
@@ -144,7 +149,9 @@ impl Body {
     #[inline(always)]
     pub fn set_times(&mut self, times: impl Iterator<Item = Block>) {
         if self.reads_time {
-            self.grid.row_mut(0).iter_mut().zip(times).for_each(|(to, time)| *to = time);
+            for (to, time) in self.grid.row_mut(0).iter_mut().zip(times) {
+                *to = time;
+            }
         }
     }
 

@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub const LANES: usize = 64;
 
 /// Registers of so many numbers stay in the caches of a processor.
-const NUMBERS: usize = 1 << 16;
+pub(crate) const NUMBERS: usize = 1 << 16;
 
 /// Runs of one model side by side, each with its own parameters. Every run has the bits of a single one.
 #[derive(Clone, Debug)]
@@ -30,6 +30,8 @@ pub struct Ensemble {
     pub(crate) grid: Times,
     pub(crate) width: Width,
     pub(crate) lanes: Lanes,
+    /// Number of steps attempted in the last runs, each in all lanes.
+    pub(crate) attempts: u64,
 }
 
 /// The method with the states of its lanes.
@@ -161,6 +163,7 @@ impl Ensemble {
             grid: Times::new(setup.step, until),
             width: Width::default(),
             lanes: Lanes::default(),
+            attempts: 0,
         };
         Ok(ensemble)
     }
@@ -190,21 +193,42 @@ impl Ensemble {
         parameters: &[Vec<f64>],
         take: &mut dyn FnMut(usize, f64, &[f64]),
     ) -> Vec<Result<Ended, RunError>> {
+        self.compute(alone, parameters, take);
+        let end = |lane: usize| {
+            let mut initial = Vec::new();
+            let last = self.end(lane, &mut initial)?.clone();
+            Ok(Ended { last, initial })
+        };
+        (0..parameters.len()).map(end).collect()
+    }
+
+    /// [`Ensemble::run`], after which [`Ensemble::end`] gives the ends.
+    pub fn compute(&mut self, alone: &mut Alone, parameters: &[Vec<f64>], take: &mut dyn FnMut(usize, f64, &[f64])) {
+        self.attempts = 0;
         self.begin(alone, parameters, take);
         match self.method {
             Method::Fixed(_) => self.advance_fixed(alone, take),
             Method::Adaptive(..) => self.advance_adaptive(alone, take),
         }
-        let lanes = &mut self.lanes;
-        let result = |lane: usize| match lanes.errors[lane].take() {
-            Some(error) => Err(error),
-            None => {
-                let mut initial = vec![0.0; lanes.initial.rows()];
-                lanes.initial.lane(lane, &mut initial);
-                Ok(Ended { last: std::mem::take(&mut lanes.last[lane]), initial })
-            }
-        };
-        (0..parameters.len()).map(result).collect()
+    }
+
+    /// The last row of a run at or before its end. `initial` becomes its initial values, one per state, SI units.
+    ///
+    /// # Errors
+    /// The error of the run. An event that ends it is none.
+    pub fn end(&self, lane: usize, initial: &mut Vec<f64>) -> Result<&LastRow, RunError> {
+        if let Some(error) = &self.lanes.errors[lane] {
+            return Err(error.clone());
+        }
+        initial.resize(self.lanes.initial.rows(), 0.0);
+        self.lanes.initial.lane(lane, initial);
+        Ok(&self.lanes.last[lane])
+    }
+
+    /// Number of operations in all lanes of the last runs.
+    pub fn work(&self) -> u64 {
+        let operations = self.rates.operations() + self.rates.states().len();
+        self.attempts * (operations * self.lanes.running.len()) as u64
     }
 
     /// Makes room for so many runs.
@@ -224,19 +248,26 @@ impl Ensemble {
                     }
                 }
             }
+            self.lanes = Lanes {
+                blocks,
+                parameters: Grid::new(parameters, blocks),
+                initial: Grid::new(states, blocks),
+                values: vec![0.0; self.readings.len()],
+                ..Lanes::default()
+            };
         }
+        let lanes = &mut self.lanes;
         let count = blocks * WIDTH;
-        self.lanes = Lanes {
-            blocks,
-            parameters: Grid::new(parameters, blocks),
-            initial: Grid::new(states, blocks),
-            running: (0..count).map(|lane| lane < runs).collect(),
-            index: vec![0; count],
-            steps: vec![0; count],
-            last: vec![LastRow::default(); count],
-            errors: vec![None; count],
-            values: vec![0.0; self.readings.len()],
-        };
+        lanes.running.clear();
+        lanes.running.extend((0..count).map(|lane| lane < runs));
+        lanes.index.clear();
+        lanes.index.resize(count, 0);
+        lanes.steps.clear();
+        lanes.steps.resize(count, 0);
+        lanes.errors.clear();
+        lanes.errors.resize(count, None);
+        lanes.last.resize(count, LastRow::default());
+        lanes.last.iter_mut().for_each(|last| last.set(0.0, &[]));
     }
 
     /// Sets parameters and initial values, and takes the first rows.

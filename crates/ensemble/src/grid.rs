@@ -17,8 +17,13 @@ impl Block {
     /// Computes the number of each lane. `number` must read from local copies of blocks, not from behind references that could be
     /// those of the result: otherwise the loop does not become SIMD.
     #[inline(always)]
-    pub fn each(number: impl FnMut(usize) -> f64) -> Self {
-        Self(std::array::from_fn(number))
+    pub fn each(mut number: impl FnMut(usize) -> f64) -> Self {
+        let mut numbers = [0.0; WIDTH];
+        // `std::array::from_fn` is not always inlined, and is then compiled without the features.
+        for (lane, value) in numbers.iter_mut().enumerate() {
+            *value = number(lane);
+        }
+        Self(numbers)
     }
 }
 

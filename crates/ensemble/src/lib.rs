@@ -12,10 +12,12 @@ mod fixed;
 mod functions;
 mod grid;
 mod reason;
+mod solutions;
 mod steps;
 mod width;
 
 pub use alone::{Alone, LastRow};
 pub use ensemble::{Ended, Ensemble, LANES};
 pub use reason::NoLanes;
+pub use solutions::{Solutions, Sought};
 pub use width::Features;

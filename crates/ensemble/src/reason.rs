@@ -17,4 +17,6 @@ pub enum NoLanes {
     EventsBetweenFixedSteps,
     /// Changes that depend on the independent variable alone, but not linearly.
     ChangesInTime,
+    /// Events, switches that jump or changes at stated times, where solutions at given times are wanted.
+    NotSmooth,
 }

@@ -38,6 +38,11 @@ impl Steps {
         }
     }
 
+    /// Replaces the settings of the step control, before lanes begin.
+    pub fn set_control(&mut self, control: StepControl) {
+        self.control = control;
+    }
+
     /// Makes room for so many states and blocks of lanes.
     pub fn resize(&mut self, states: usize, blocks: usize) {
         self.to = Grid::new(states, blocks);
@@ -188,7 +193,9 @@ impl Steps {
     fn find_error(&mut self, rates: &Body) {
         let (blocks, states) = (self.to.blocks(), self.to.rows());
         let StepControl { tolerance, floors, below_peak, .. } = &self.control;
-        self.clocks.iter_mut().for_each(|clock| clock.found = Block::of(0.0));
+        for clock in &mut self.clocks {
+            clock.found = Block::of(0.0);
+        }
         for (state, &floor) in floors.iter().enumerate() {
             let results = rates.grid().row(rates.states()[state] as usize);
             let (from, peaks) = (self.to.row(state), self.peaks.row(state));
@@ -207,7 +214,8 @@ impl Steps {
         }
         let count = states.max(1) as f64;
         for clock in &mut self.clocks {
-            clock.found.0 = clock.found.0.map(|sum| (sum / count).sqrt());
+            let sum = clock.found;
+            clock.found = Block::each(|lane| (sum.0[lane] / count).sqrt());
         }
     }
 
@@ -215,7 +223,10 @@ impl Steps {
     #[inline(always)]
     fn judge(&mut self, active: &[bool], stalled: &mut [bool]) {
         let lanes = active.chunks(WIDTH).zip(stalled.chunks_mut(WIDTH));
-        self.clocks.iter_mut().zip(lanes).for_each(|(clock, (active, stalled))| clock.judge(active, stalled));
+        // A closure of an iterator would be compiled without the features.
+        for (clock, (active, stalled)) in self.clocks.iter_mut().zip(lanes) {
+            clock.judge(active, stalled);
+        }
     }
 
     /// Takes over the accepted attempts.
@@ -239,7 +250,9 @@ impl Steps {
                 let third = Block::each(|lane| change.0[lane] - size.0[lane] * last.0[lane] - bend.0[lane]);
                 let fourth = Block::each(|lane| highest.0[lane] * size.0[lane]);
                 let new = [from, change, bend, third, fourth];
-                *dense = std::array::from_fn(|degree| taken(new[degree], known[degree]));
+                for (degree, dense) in dense.iter_mut().enumerate() {
+                    *dense = taken(new[degree], known[degree]);
+                }
                 stages[0] = taken(last, first);
                 let to = taken(result, from);
                 self.to.row_mut(state)[block] = to;
@@ -250,7 +263,9 @@ impl Steps {
                 });
             }
         }
-        self.clocks.iter_mut().for_each(Clock::accept);
+        for clock in &mut self.clocks {
+            clock.accept();
+        }
     }
 
     /// States at a time of each lane, a row of `times`: those at the end of the last step if it is there, and otherwise the continuous

@@ -2,10 +2,11 @@
 
 use crate::Plan;
 use engine::{Folds, Readings, Run, RunError, Setup};
-use ensemble::{Alone, Ended, Ensemble, NoLanes};
+use ensemble::{Alone, Ensemble, NoLanes};
 use program::{Model, NodeId, Outcomes};
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Mutex;
 
 /// Size in bytes of a run's history at which its rows, which have been taken, are dropped.
 const HISTORY: usize = 1 << 18;
@@ -21,39 +22,63 @@ pub struct Outcome {
     pub taken: Result<Vec<f64>, RunError>,
 }
 
+/// Greatest number of operations ([`Ensemble::work`]) of runs that are computed on the thread of the caller: to wake others takes longer.
+const SMALL: u64 = 40_000;
+
 /// What runs of one model with one setup need, whatever the plan says: compiled once.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct SweepCode {
-    /// Runs in lanes, or why there are none.
-    ensemble: Result<Ensemble, NoLanes>,
+    prepared: Prepared,
     /// What the aggregates take at a row.
     nodes: Vec<NodeId>,
+    /// Copies of `prepared` that have made runs and may make more.
+    spare: Mutex<Vec<Prepared>>,
+}
+
+/// Code and memory of the runs of one thread.
+#[derive(Clone, Debug)]
+struct Prepared {
+    /// Runs in lanes, or why there are none.
+    ensemble: Result<Ensemble, NoLanes>,
     operands: Readings,
     /// The numbers at the end of a run.
     last: Readings,
+    /// Parameters of the runs, SI units.
+    parameters: Vec<Vec<f64>>,
+    /// Initial values of a run, SI units.
+    initial: Vec<f64>,
+}
+
+impl Clone for SweepCode {
+    fn clone(&self) -> Self {
+        Self { prepared: self.prepared.clone(), nodes: self.nodes.clone(), spare: Mutex::default() }
+    }
 }
 
 impl SweepCode {
     /// Compiles runs up to `until` (SI) with this setup. What is taken is compiled against the model.
     pub fn new(model: &Model, (setup, until): (&Setup, f64), outcomes: &Outcomes) -> Self {
         let nodes: Vec<NodeId> = outcomes.aggregates.iter().map(|aggregate| aggregate.of).collect();
-        Self {
+        let prepared = Prepared {
             ensemble: Ensemble::new(model, setup, until, &nodes),
             operands: Readings::new(model, &nodes),
             last: Readings::new(model, &outcomes.nodes),
-            nodes,
-        }
+            parameters: Vec::new(),
+            initial: Vec::new(),
+        };
+        Self { prepared, nodes, spare: Mutex::default() }
     }
 
     /// Why the runs are computed one by one; `None` if they are computed side by side.
     pub fn no_lanes(&self) -> Option<&NoLanes> {
-        self.ensemble.as_ref().err()
+        self.prepared.ensemble.as_ref().err()
     }
 
     /// The same, but the runs are computed one by one.
     #[must_use]
     pub fn one_by_one(self) -> Self {
-        Self { ensemble: Err(NoLanes::Unwanted), ..self }
+        let prepared = Prepared { ensemble: Err(NoLanes::Unwanted), ..self.prepared };
+        Self { prepared, nodes: self.nodes, spare: Mutex::default() }
     }
 }
 
@@ -78,10 +103,25 @@ pub fn use_threads(count: usize) {
     let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
 }
 
-/// What one thread needs.
+/// What one thread needs. At its end its code becomes spare.
 struct Worker<'a> {
-    code: SweepCode,
+    prepared: Option<Prepared>,
+    code: &'a SweepCode,
     alone: Alone<'a>,
+}
+
+impl Worker<'_> {
+    fn prepared(&self) -> &Prepared {
+        self.prepared.as_ref().unwrap_or(&self.code.prepared)
+    }
+}
+
+impl Drop for Worker<'_> {
+    fn drop(&mut self) {
+        if let (Ok(mut spare), Some(prepared)) = (self.code.spare.lock(), self.prepared.take()) {
+            spare.push(prepared);
+        }
+    }
 }
 
 impl<'a> Sweep<'a> {
@@ -101,14 +141,20 @@ impl<'a> Sweep<'a> {
 
     /// Computes some runs on all processors and returns them in their order.
     pub fn compute(&self, runs: Range<u64>) -> Vec<Outcome> {
-        let together = match &self.code.ensemble {
+        let count = runs.end - runs.start;
+        let mut first = self.worker();
+        let together = match &first.prepared().ensemble {
+            Ok(ensemble) if count <= ensemble.lanes() as u64 && (1..=SMALL).contains(&ensemble.work()) => {
+                return self.block(&mut first, runs);
+            }
             Ok(ensemble) => {
-                let share = (runs.end - runs.start).div_ceil(threads() as u64).next_multiple_of(Self::LEAST);
+                let share = count.div_ceil(threads() as u64).next_multiple_of(Self::LEAST);
                 share.clamp(Self::LEAST, ensemble.lanes() as u64)
             }
             Err(_) => 1,
         };
-        let blocks = (runs.end - runs.start).div_ceil(together);
+        drop(first);
+        let blocks = count.div_ceil(together);
         let block = |worker: &mut Worker, block: u64| {
             let first = runs.start + block * together;
             self.block(worker, first..runs.end.min(first + together))
@@ -117,49 +163,55 @@ impl<'a> Sweep<'a> {
     }
 
     fn worker(&self) -> Worker<'_> {
-        Worker { code: self.code.clone(), alone: Alone::new(self.model, self.setup, &self.code.nodes) }
+        let spare = self.code.spare.lock().ok().and_then(|mut spare| spare.pop());
+        let prepared = Some(spare.unwrap_or_else(|| self.code.prepared.clone()));
+        Worker { prepared, code: self.code, alone: Alone::new(self.model, self.setup, &self.code.nodes) }
     }
 
     /// Computes some runs side by side.
     fn block(&self, worker: &mut Worker, runs: Range<u64>) -> Vec<Outcome> {
         let axes: Vec<Vec<f64>> = runs.clone().map(|run| self.plan.values(run)).collect();
-        let parameters: Vec<Vec<f64>> = axes.iter().map(|axes| self.parameters(axes)).collect();
-        let taken = match &mut worker.code.ensemble {
-            Ok(_) => self.together(worker, &parameters),
-            Err(_) => parameters.into_iter().map(|parameters| self.single(&mut worker.code, parameters)).collect(),
+        let Worker { prepared: Some(prepared), alone, .. } = worker else { return Vec::new() };
+        prepared.parameters.resize(axes.len(), Vec::new());
+        for (parameters, axes) in prepared.parameters.iter_mut().zip(&axes) {
+            self.set_parameters(axes, parameters);
+        }
+        let taken = match &prepared.ensemble {
+            Ok(_) => self.together(prepared, alone),
+            Err(_) => (0..axes.len()).map(|run| self.single(prepared, run)).collect(),
         };
         runs.zip(axes).zip(taken).map(|((run, axes), taken)| Outcome { run, axes, taken }).collect()
     }
 
-    /// Parameters with these values of the axes.
-    fn parameters(&self, axes: &[f64]) -> Vec<f64> {
-        let mut parameters = self.setup.parameters.clone();
+    /// Sets parameters to those with these values of the axes.
+    fn set_parameters(&self, axes: &[f64], parameters: &mut Vec<f64>) {
+        parameters.clone_from(&self.setup.parameters);
         for (axis, value) in self.plan.axes().iter().zip(axes) {
             if let Some(parameter) = parameters.get_mut(axis.parameter) {
                 *parameter = *value;
             }
         }
-        parameters
     }
 
-    /// What is taken of runs with these parameters, which are computed in lanes.
-    fn together(&self, worker: &mut Worker, parameters: &[Vec<f64>]) -> Vec<Result<Vec<f64>, RunError>> {
+    /// What is taken of the prepared runs, which are computed in lanes.
+    fn together(&self, prepared: &mut Prepared, alone: &mut Alone) -> Vec<Result<Vec<f64>, RunError>> {
         let aggregates = &self.outcomes.aggregates;
-        let Worker { code: SweepCode { ensemble: Ok(ensemble), last, .. }, alone } = worker else { return Vec::new() };
+        let Prepared { ensemble: Ok(ensemble), last, parameters, initial, .. } = prepared else { return Vec::new() };
         let mut folds = vec![Folds::new(aggregates); parameters.len()];
         let mut take = |lane: usize, time: f64, values: &[f64]| folds[lane].take(aggregates, time, values);
-        let ends = ensemble.run(alone, parameters, &mut take);
-        let taken = |((end, folds), parameters): ((Result<Ended, RunError>, &Folds), &Vec<f64>)| {
-            let Ended { last: row, initial } = end?;
-            let values = folds.values(aggregates, last, [parameters, &initial], (row.time, &row.state));
+        ensemble.compute(alone, parameters, &mut take);
+        let taken = |(lane, (folds, parameters)): (usize, (&Folds, &Vec<f64>))| {
+            let row = ensemble.end(lane, initial)?;
+            let values = folds.values(aggregates, last, [parameters, initial], (row.time, &row.state));
             Ok(self.in_units(values))
         };
-        ends.into_iter().zip(&folds).zip(parameters).map(taken).collect()
+        folds.iter().zip(parameters.iter()).enumerate().map(taken).collect()
     }
 
-    /// What is taken of one run.
-    fn single(&self, code: &mut SweepCode, parameters: Vec<f64>) -> Result<Vec<f64>, RunError> {
+    /// What is taken of one of the prepared runs.
+    fn single(&self, prepared: &mut Prepared, run: usize) -> Result<Vec<f64>, RunError> {
         let aggregates = &self.outcomes.aggregates;
+        let parameters = prepared.parameters[run].clone();
         let last = self.until * (1.0 + engine::ROUNDING);
         let mut run = Run::start(self.model, Setup { parameters, ..self.setup.clone() })?;
         let mut folds = Folds::new(aggregates);
@@ -167,7 +219,7 @@ impl<'a> Sweep<'a> {
             for row in rows.filter(|_| !aggregates.is_empty()) {
                 let time = run.history().time(row);
                 if time <= last {
-                    folds.take(aggregates, time, code.operands.at_row(run.history(), row));
+                    folds.take(aggregates, time, prepared.operands.at_row(run.history(), row));
                 }
             }
         };
@@ -190,7 +242,7 @@ impl<'a> Sweep<'a> {
             Err(error) if !error.is_end() => return Err(error),
             _ => take(&run, rows..run.history().len()),
         }
-        let values = folds.values_at_end(aggregates, &mut code.last, run.history(), self.until);
+        let values = folds.values_at_end(aggregates, &mut prepared.last, run.history(), self.until);
         Ok(self.in_units(values.unwrap_or_default()))
     }
 

@@ -1,5 +1,6 @@
 //! Loop of a fit: successive searches for the least sum of squares of a [`Problem`], each a [`Search`].
 
+use super::lanes::Lanes;
 use super::outcome::{self, Course, Outcome};
 use super::search::elsewhere::{Beginning, Elsewhere};
 use super::search::loss::Loss;
@@ -15,8 +16,9 @@ use super::task::{FitError, Task};
 use super::trace::{self, Trace};
 use super::uncertainty::covariance::Covariance;
 use super::uncertainty::exchange::Exchange;
-use engine::{Compiled, Listing};
-use program::Model;
+use engine::{Compiled, Listing, Setup};
+use program::{Model, NodeId};
+use std::cell::RefCell;
 use std::rc::Rc;
 
 /// Fit that advances one trial at a time.
@@ -141,6 +143,12 @@ impl Fit {
     /// result has the same bits.
     pub fn compile(&mut self, compile: impl FnOnce(Listing) -> Option<Rc<dyn Compiled>>) {
         self.problem.curve.compile(compile);
+    }
+
+    /// Solves equations of motion for several records and searches side by side from now on, if `make` makes a solver for a model, the
+    /// setup of its runs and what is read at each time. The result has the same bits.
+    pub fn use_lanes(&mut self, make: impl FnOnce(&Model, &Setup, &[NodeId]) -> Option<Rc<RefCell<dyn Lanes>>>) {
+        self.problem.curve.use_lanes(make);
     }
 
     /// True if trials were given up because they needed more computation than a trial may take.

@@ -4,6 +4,7 @@
 pub(crate) mod autoregression;
 mod driver;
 mod judgement;
+mod lanes;
 pub(crate) mod linear;
 mod observed;
 mod outcome;
@@ -17,6 +18,7 @@ pub use judgement::Outlier;
 pub use judgement::rank::{Ranked, rank, ties, worth};
 pub use judgement::statistics::RunsTest;
 pub use judgement::verdict::Verdict;
+pub use lanes::{Lanes, Solution, Sought};
 pub use observed::{ObservationFit, Outside};
 pub use outcome::Outcome;
 pub use search::elsewhere::Rival;

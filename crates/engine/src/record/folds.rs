@@ -71,6 +71,9 @@ impl Folds {
         [parameters, initial]: [&[f64]; 2],
         (time, state): (f64, &[f64]),
     ) -> &'a [f64] {
+        if self.folds.is_empty() {
+            return readings.at(parameters, initial, time, state);
+        }
         let results = self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of));
         let parameters: Vec<f64> = parameters.iter().copied().chain(results).collect();
         readings.at(&parameters, initial, time, state)

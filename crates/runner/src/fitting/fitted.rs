@@ -1,5 +1,6 @@
 //! Fits, and their results.
 
+use super::lanes::lanes;
 use crate::opening::Sources;
 use crate::refusal::Refusal;
 use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profiles};
@@ -48,6 +49,9 @@ impl Fitted {
     ) -> Result<Self, Refusal> {
         let mut fit =
             Fit::new(&theory.document.program.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
+        if with_profiles || task.records.len() > 1 {
+            fit.use_lanes(lanes);
+        }
         while !fit.advance() {
             progress(fit.trials());
         }

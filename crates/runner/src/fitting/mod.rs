@@ -2,6 +2,7 @@
 
 mod fitted;
 mod json;
+mod lanes;
 mod ranking;
 mod settings;
 mod task;
@@ -9,6 +10,7 @@ mod text;
 
 pub use fitted::{Fitted, Theory};
 pub use json::{fit_as_json, record_as_json};
+pub use lanes::lanes;
 pub use ranking::{Contender, ranking_as_json, tied};
 pub use settings::FitSettings;
 pub use task::task;

@@ -1,8 +1,10 @@
 //! Curve of the model at measured times, with its derivatives with respect to the varied numbers.
 
+use crate::fit::lanes::{Lanes, Solution, Sought};
 use crate::fit::task::Target;
 use engine::{Compiled, Listing, Method, Routine, Setup, Stepper};
 use program::{Kind, Model, Node, NodeId};
+use std::cell::RefCell;
 use std::rc::Rc;
 use units::{Words, words};
 
@@ -55,6 +57,21 @@ pub(crate) struct Curve {
     zeros: Vec<f64>,
     values: Vec<f64>,
     row: Vec<f64>,
+    /// What a solver of several solutions is made from; `None` for a formula.
+    extended: Option<Rc<Extended>>,
+    lanes: Option<Rc<RefCell<dyn Lanes>>>,
+    /// Error tolerance of integrations.
+    tolerance: f64,
+    /// Solutions that were computed side by side, with this tolerance.
+    solved: Vec<(Sought, Solution)>,
+}
+
+/// The model with sensitivities, the setup of its runs, and what is read.
+#[derive(Debug)]
+struct Extended {
+    model: Model,
+    setup: Setup,
+    readings: Vec<NodeId>,
 }
 
 impl Curve {
@@ -124,6 +141,11 @@ impl Curve {
         let mut curve = Self {
             routine: Routine::compile(&extended, &roots),
             initial: Routine::compile(&extended, &initial_nodes),
+            row: vec![0.0; roots.len()],
+            extended: stepper.is_some().then(|| Rc::new(Extended { model: extended, setup, readings: roots })),
+            lanes: None,
+            tolerance: TOLERANCES[0],
+            solved: Vec::new(),
             states,
             varied,
             linear,
@@ -134,7 +156,6 @@ impl Curve {
             start: vec![0.0; all],
             zeros: vec![0.0; all],
             values: Vec::new(),
-            row: vec![0.0; roots.len()],
         };
         curve.set_tolerance(TOLERANCES[0]);
         Ok(curve)
@@ -149,8 +170,49 @@ impl Curve {
         }
     }
 
+    /// Computes solutions side by side from now on, if `make` makes a solver for the model, the setup of its runs and what is read.
+    /// The bits stay the same.
+    pub fn use_lanes(&mut self, make: impl FnOnce(&Model, &Setup, &[NodeId]) -> Option<Rc<RefCell<dyn Lanes>>>) {
+        self.lanes = self.extended.as_ref().and_then(|known| make(&known.model, &known.setup, &known.readings));
+    }
+
+    /// True if several solutions are computed side by side.
+    pub fn has_lanes(&self) -> bool {
+        self.lanes.is_some()
+    }
+
+    /// Number of values that a solution has at each time.
+    pub fn readings(&self) -> usize {
+        self.row.len()
+    }
+
+    /// Computes solutions side by side, which [`Curve::follow`] then finds. Those of the last call are discarded.
+    pub fn solve_together(&mut self, sought: Vec<Sought>) {
+        self.solved.clear();
+        if let Some(lanes) = &self.lanes {
+            let solutions = lanes.borrow_mut().solve(self.tolerance, &sought);
+            self.solved
+                .extend(sought.into_iter().zip(solutions).filter_map(|(sought, solved)| Some((sought, solved?))));
+        }
+    }
+
+    /// Index of the solution with these parameters at these times among those computed side by side.
+    fn solved(&self, parameters: &[f64], times: &[f64]) -> Option<usize> {
+        let same = |one: &[f64], other: &[f64]| {
+            one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.to_bits() == other.to_bits())
+        };
+        self.solved.iter().position(|(sought, _)| same(&sought.parameters, parameters) && same(&sought.times, times))
+    }
+
+    /// True if the solution with these parameters at these times has been computed side by side with others.
+    pub fn is_solved(&self, parameters: &[f64], times: &[f64]) -> bool {
+        self.solved(parameters, times).is_some()
+    }
+
     /// Sets the error tolerance of later integrations, relative to the greatest value of each state.
     pub fn set_tolerance(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+        self.solved.clear();
         if let Some(stepper) = &mut self.stepper {
             stepper.allow_of_peak(tolerance);
         }
@@ -193,12 +255,22 @@ impl Curve {
     /// reaches.
     pub fn follow(&mut self, parameters: &[f64], times: &[f64]) -> usize {
         let rows = times.len();
+        let place = if self.solved.is_empty() { None } else { self.solved(parameters, times) };
         self.values.resize(self.observed * self.stride() * rows, 0.0);
         let Some(stepper) = &mut self.stepper else {
             self.routine.prepare(parameters, &self.zeros);
             self.routine.evaluate_rows(times, &self.zeros, &mut self.values);
             return rows;
         };
+        if let Some(place) = place {
+            let (_, solution) = self.solved.swap_remove(place);
+            // Near the upper bound the engine finds the row at which it is reached.
+            if self.spent + solution.work <= MOST_WORK {
+                self.spent += solution.work;
+                self.values = solution.values;
+                return rows;
+            }
+        }
         self.initial.prepare(parameters, &self.zeros);
         self.initial.evaluate(0.0, &self.zeros, &mut self.start);
         if !self.start.iter().all(|value| value.is_finite()) {

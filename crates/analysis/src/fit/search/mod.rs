@@ -80,6 +80,16 @@ struct Step {
     split: Split,
 }
 
+/// Trial that has not been made.
+struct Planned {
+    /// Predicted decrease of the sum of squares by the best step.
+    promised: f64,
+    /// Variables of the trial.
+    trial: Vec<f64>,
+    /// True if the trust radius bounds the step.
+    damped: bool,
+}
+
 impl Search {
     /// Initial trust radius in multiples of the scaled norm of the start (MINPACK's `factor`).
     const FIRST_RADIUS: f64 = 10.0;
@@ -147,22 +157,11 @@ impl Search {
         if self.trials == 1 {
             self.set_linear(problem);
         }
-        let step = match self.step.take() {
-            Some(known) => known,
-            None => self.decompose(),
-        };
-        let promised = step.split.promised(Self::FLAT);
-        if promised <= self.tolerance * self.sum {
+        let Planned { promised, mut trial, damped } = self.plan();
+        let Some(step) = self.step.take().filter(|_| promised > self.tolerance * self.sum) else {
             self.status = Status::Converged;
             return self.status;
-        }
-        let (change, damped) = restricted(&step.split.rest, self.radius);
-        let follow = step.split.following(&change);
-        let mut trial = self.x.clone();
-        for (&column, change) in step.linear.iter().zip(&follow).chain(step.others.iter().zip(&change)) {
-            let (low, high) = self.bounds[column];
-            trial[column] = (trial[column] - change / self.scale[column]).max(low).min(high);
-        }
+        };
         let change: Vec<f64> = trial.iter().zip(&self.x).map(|(to, from)| to - from).collect();
         let moves = change.iter().any(|change| *change != 0.0);
         let length = self.length(&change);
@@ -193,6 +192,38 @@ impl Search {
             self.status = Status::Failed;
         }
         self.status
+    }
+
+    /// Next point at which residuals are computed; `None` if none are.
+    pub fn next_point(&mut self) -> Option<Vec<f64>> {
+        if self.status != Status::Searching {
+            return None;
+        }
+        if self.trials == 1
+            && let Some(better) = self.projected(&self.x, &self.residuals, &self.jacobian, self.sum)
+        {
+            return Some(better);
+        }
+        let Planned { promised, trial, .. } = self.plan();
+        (promised > self.tolerance * self.sum && trial != self.x).then_some(trial)
+    }
+
+    /// The next trial, with the decomposition of its step.
+    fn plan(&mut self) -> Planned {
+        let step = match self.step.take() {
+            Some(known) => known,
+            None => self.decompose(),
+        };
+        let promised = step.split.promised(Self::FLAT);
+        let (change, damped) = restricted(&step.split.rest, self.radius);
+        let follow = step.split.following(&change);
+        let mut trial = self.x.clone();
+        for (&column, change) in step.linear.iter().zip(&follow).chain(step.others.iter().zip(&change)) {
+            let (low, high) = self.bounds[column];
+            trial[column] = (trial[column] - change / self.scale[column]).max(low).min(high);
+        }
+        self.step = Some(step);
+        Planned { promised, trial, damped }
     }
 
     /// Accepts or rejects a trial so close to the minimum that sums of squares differ only by rounding: it is accepted if

@@ -2,6 +2,7 @@
 //! respect to every varied number.
 
 use super::curve::{self, Curve};
+use crate::fit::lanes::Sought;
 use crate::fit::linear::Jacobian;
 use crate::fit::task::columns;
 use crate::fit::task::columns::Column;
@@ -47,6 +48,9 @@ pub(crate) struct Problem {
     /// Buffer for the times of the model.
     clock: Vec<f64>,
 }
+
+/// Greatest number of values that solutions computed side by side have together: 32 MB.
+const MOST_NUMBERS: usize = 4_000_000;
 
 impl Problem {
     /// Convergence tolerance for formulas: relative decrease of the sum of squares.
@@ -203,10 +207,52 @@ impl Problem {
         parameters
     }
 
+    /// Parameters and times of the solution for a record.
+    fn sought(&self, (record, plan): (usize, &Plan), x: &[f64]) -> Sought {
+        let origin = self.origin(record, plan, x);
+        // With a varied origin, the system is at rest before it.
+        let times = plan.times.iter().map(|time| (time - origin).max(self.earliest())).collect();
+        Sought { parameters: self.parameters(record, x), times }
+    }
+
+    /// First time at which the curve is known, SI.
+    fn earliest(&self) -> f64 {
+        if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY }
+    }
+
+    /// Solves the equations of motion for all records of `plans` at the numbers of several `trials` side by side, as many as there is
+    /// room for, if there is a solver for that. [`Problem::residuals`] then finds the solutions.
+    pub fn solve_together(&mut self, plans: &[Plan], trials: &[Vec<f64>]) {
+        if !self.curve.has_lanes() {
+            return;
+        }
+        let mut numbers = 0;
+        let runs = trials.iter().flat_map(|x| plans.iter().enumerate().map(move |plan| (plan, x)));
+        let runs = runs.take_while(|((_, plan), _)| {
+            numbers += plan.times.len() * self.curve.readings();
+            numbers <= MOST_NUMBERS
+        });
+        let sought: Vec<Sought> = runs.map(|(plan, x)| self.sought(plan, x)).collect();
+        if sought.len() > 1 {
+            self.curve.solve_together(sought);
+        }
+    }
+
+    /// Solves the equations of motion for several records side by side, if that has not been done for this trial.
+    fn solve_records(&mut self, plans: &[Plan], x: &[f64]) {
+        if plans.len() > 1 && self.curve.has_lanes() {
+            let Sought { parameters, times } = self.sought((0, &plans[0]), x);
+            if !self.curve.is_solved(&parameters, &times) {
+                self.solve_together(plans, &[x.to_vec()]);
+            }
+        }
+    }
+
     /// Residuals of all points of `plans`, (model minus measured) times weight, and below them one for the prior of each
     /// scale, with their derivatives. Returns false if the curve does not reach all points or a residual is not finite.
     pub fn residuals(&mut self, plans: &[Plan], x: &[f64], residuals: &mut [f64], jacobian: &mut Jacobian) -> bool {
         self.curve.begin_trial();
+        self.solve_records(plans, x);
         let mut base = 0;
         for (record, plan) in plans.iter().enumerate() {
             if !self.residuals_from(base, (record, plan), x, residuals, jacobian) {
@@ -245,7 +291,7 @@ impl Problem {
         let parameters = self.parameters(record, x);
         let origin = self.origin(record, plan, x);
         // With a varied origin, the system is at rest before it.
-        let earliest = if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY };
+        let earliest = self.earliest();
         self.clock.clear();
         self.clock.extend(plan.times.iter().map(|time| (time - origin).max(earliest)));
         let rows = self.clock.len();

@@ -6,4 +6,5 @@ pub(in crate::fit) mod exchange;
 pub(in crate::fit) mod hac;
 pub(in crate::fit) mod identify;
 pub(in crate::fit) mod profile;
+mod profile_end;
 pub(in crate::fit) mod student;

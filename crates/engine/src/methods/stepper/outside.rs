@@ -41,6 +41,11 @@ impl Stepper {
         }
     }
 
+    /// Approximate number of floating-point operations of an evaluation of the right-hand side.
+    pub fn evaluation_work(&self) -> u64 {
+        self.equations.evaluation_work()
+    }
+
     /// Continues the run begun with [`Stepper::begin`] at a later moment, with the bits of a run that has come there by itself.
     pub fn continue_at(&mut self, reached: &Reached) {
         let parameters = std::mem::take(&mut self.parameters);

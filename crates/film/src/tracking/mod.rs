@@ -3,6 +3,7 @@
 mod backdrop;
 pub mod body;
 pub mod column;
+mod crossing;
 mod errors;
 mod following;
 mod linear;
@@ -12,6 +13,7 @@ mod motion;
 mod readout;
 mod refusal;
 mod similarity;
+mod smooth;
 mod spline;
 mod track;
 

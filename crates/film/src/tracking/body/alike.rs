@@ -6,14 +6,16 @@ use crate::tracking::body::meeting::far;
 
 /// Distances in radii at which a rival is sought: least, and greatest.
 const SOUGHT: [f64; 2] = [1.2, 4.0];
+/// Number of frames before a meeting at which a rival is sought that comes as fast as the body.
+const AHEAD: f64 = 6.0;
 /// A rival is where the agreement reaches this part of what it can reach.
 const RIVAL: f32 = 0.7;
 /// A rival in the frame of a click is at least so much like the body.
 const LIKE: f32 = 0.6;
 
-/// Distances in px from a body at which a rival is sought.
-pub(super) fn sought(radius: f64) -> std::ops::Range<f64> {
-    SOUGHT[0] * radius..SOUGHT[1] * radius
+/// Distances in px from a body at which a rival is sought. `way`: motion of the body in a frame, px.
+pub(super) fn sought(radius: f64, way: f64) -> std::ops::Range<f64> {
+    SOUGHT[0] * radius..SOUGHT[1] * radius + 2.0 * AHEAD * way
 }
 
 /// Places (px) in a square around a middle: so many steps of so many px in each direction.
@@ -27,7 +29,7 @@ impl Look {
     pub(super) fn twin(&self, frame: &Compared<'_>, own: Around) -> Option<[f64; 2]> {
         let (middle, radius) = own;
         let step = (radius / 4.0).max(1.0);
-        let range = sought(radius);
+        let range = sought(radius, 0.0);
         let steps = (range.end / step) as i64;
         let best = |places: &mut dyn Iterator<Item = [f64; 2]>| {
             let places = places.filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));

@@ -72,6 +72,9 @@ impl Body {
         let own_trail = trail(self.seen.get(tracker.begin..).unwrap_or_default());
         let own = Expected::new(&own_trail, frame.time, disc.outline, tracker.hidden)?;
         let (expected_place, expected_reach) = (own.course.place, own.reach());
+        // After one position the motion is unknown.
+        let way = if own_trail.len() > 1 { own.course.way } else { disc.outline };
+        let range = sought(disc.outline, way);
         let other = tracker
             .rival
             .as_ref()
@@ -80,9 +83,9 @@ impl Body {
         let mut both = tracker.both((&compared, template), own, other);
         if let Some(own) = &both.own {
             let position = own.found.position;
-            let is_away = |other: &Sighting| far(other.found.position, position) > sought(disc.outline).end;
+            let is_away = |other: &Sighting| far(other.found.position, position) > range.end;
             if !tracker.is_mistaken && both.other.as_ref().is_none_or(is_away) {
-                let found = tracker.appearance.rival((&compared, template), position, sought(disc.outline));
+                let found = tracker.appearance.rival((&compared, template), position, range.clone());
                 let is_known = |one: &Sighting| {
                     both.other
                         .as_ref()

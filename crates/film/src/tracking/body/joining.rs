@@ -1,9 +1,10 @@
 //! Track with errors and doubts from the sightings of a body.
 
 use crate::tracking::body::refining::Seen;
-use crate::tracking::body::smooth::Motion;
 use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
+use crate::tracking::median::median;
+use crate::tracking::smooth::Motion;
 use crate::tracking::track::{Known, Outline, Point, Readout, Track};
 use units::order::sort_by;
 
@@ -23,6 +24,11 @@ const REST: (usize, f64) = (6, 0.3);
 const STOP: f64 = 2.0;
 /// Number of frames from a key frame on whose motion shows that a body was followed that was lost then.
 const SHORTEST: usize = 8;
+/// The picture of a click is not that of the body if what it leaves unexplained is so many times larger than usual, with an addition.
+const UNLIKE: (f64, f64) = (5.0, 0.02);
+/// Minimum distance of such a click from where the next frames lead, px and relative to the radius, and the number of those frames.
+const BESIDE: (f64, f64) = (5.0, 0.3);
+const BACK: usize = 4;
 /// Extent of a track without motion, px.
 const STILL: f64 = 1.0;
 
@@ -48,8 +54,11 @@ pub(super) fn joined(
     let (mut limits, mut widest) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
     let mut unsure = Vec::with_capacity(seen.len());
     let is_long = |key: usize| seen.iter().filter(|one| one.key == key).count() >= SHORTEST || lost.is_none();
-    let moved: Vec<bool> =
-        moved.iter().enumerate().map(|(key, moved)| *moved && is_long(key) && moves_mostly(seen, key)).collect();
+    let moved: Vec<bool> = moved
+        .iter()
+        .enumerate()
+        .map(|(key, moved)| *moved && is_long(key) && moves_mostly(seen, key) && !begins_beside(seen, key, templates))
+        .collect();
     for at in order {
         let one = &seen[at];
         let now = one.now;
@@ -62,11 +71,11 @@ pub(super) fn joined(
             position: one.camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
-            doubtful: !one.moves || !one.alone || moved.get(one.key) == Some(&false),
+            doubtful: !one.alone || moved.get(one.key) == Some(&false),
         });
-        unsure.push(one.agreement < AGREES || now.score < LIKE || one.aside);
+        unsure.push(one.agreement < AGREES || now.score < LIKE || one.aside || !one.moves);
         let radius = templates.get(one.key).map_or(0.0, |template| template.disc.outline);
-        limits.push(ASIDE.0.max(ASIDE.1 * radius));
+        limits.push(limit(radius));
         widest.push(WIDE.0.max(WIDE.1 * radius));
     }
     let motion = Motion::new(
@@ -93,18 +102,41 @@ pub(super) fn joined(
     // The motion of certain frames on both sides may settle a doubt that the look leaves.
     let certain: Vec<bool> = points.iter().zip(&unsure).map(|(point, unsure)| !point.doubtful && !unsure).collect();
     for (at, point) in points.iter_mut().enumerate().filter(|(at, _)| unsure[*at]) {
-        let off = motion.distance(at, |one| certain[one]);
-        point.doubtful |= off.is_none_or(|off| length(off) > limits[at]);
+        let off = motion.through(at, |one| certain[one]);
+        point.doubtful |= off.is_none_or(|off| off > limits[at]);
     }
     let outline =
         templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
     Track { points, readout, lost, outline, ..Track::default() }
 }
 
+/// Maximum deviation of a reliable point from its neighbours, px. `radius` in px.
+fn limit(radius: f64) -> f64 {
+    ASIDE.0.max(ASIDE.1 * radius)
+}
+
 /// True if the pixels of a template rest in fewer frames than they move.
 fn moves_mostly(seen: &[Seen], key: usize) -> bool {
     let (moves, rests): (Vec<&Seen>, Vec<&Seen>) = seen.iter().filter(|one| one.key == key).partition(|one| one.moves);
     moves.len() >= rests.len()
+}
+
+/// True if the frame of a click looks unlike all others, and the motion in the next ones does not lead back to the click: the template of two
+/// bodies, one of which covered the other, is found beside either of them.
+fn begins_beside(seen: &[Seen], key: usize, templates: &[Template]) -> bool {
+    let of: Vec<&Seen> = seen.iter().filter(|one| one.key == key).collect();
+    let (Some(first), Some(template), true) = (of.first(), templates.get(key), of.len() >= SHORTEST) else {
+        return false;
+    };
+    let usual = median(of.iter().map(|one| one.now.score).collect());
+    let is_unlike = |one: &Seen| 1.0 - one.now.score > UNLIKE.0 * (1.0 - usual) + UNLIKE.1;
+    // Frames in which the body is disturbed as well tell nothing about the click.
+    if !is_unlike(first) || of.iter().skip(1).take(BACK).any(|one| is_unlike(one)) {
+        return false;
+    }
+    let motion = Motion::new(of.iter().map(|one| one.time).collect(), of.iter().map(|one| one.now.position).collect());
+    let off = length(motion.back(&[1, 2, 3])).min(length(motion.back(&[1, 2, 3, 4])));
+    off > BESIDE.0.max(BESIDE.1 * template.disc.outline)
 }
 
 /// True for positions that lie more than their limit (px) from where their neighbours lead, unless the body bounces there.

@@ -250,9 +250,14 @@ impl Look {
         self.agreement(frame, place, (FEW[1], f32::NEG_INFINITY), taken).unwrap_or(NONE)
     }
 
-    /// Agreement of a place by a coarse comparison; `None` where a few pixels already contradict.
+    /// Agreement of a place by a coarse comparison; `None` where the middle shows the background or a few pixels already contradict.
     pub(crate) fn at_once(&self, frame: &Compared<'_>, place: [f64; 2]) -> Option<Agreement> {
         let place = place.map(|at| at.floor() as i64);
+        let [column, row] = place;
+        let alike = ALIKE * frame.noise * ALIKE * frame.noise;
+        if frame.still(frame.shade(column, row), column, row).is_some_and(|behind| behind < alike) {
+            return None;
+        }
         self.agreement(frame, place, (FEWEST, 0.0), None).filter(|few| few.score > 0.0)?;
         self.agreement(frame, place, (FEW[0], f32::NEG_INFINITY), None)
     }

@@ -3,7 +3,7 @@
 //! Nothing but their motion distinguishes two bodies of the same look. Once they are apart again, smooth curves through the positions of both
 //! before and after the meeting show which of them is which: those of the same body are smooth, those from one body to the other are not.
 
-use crate::tracking::body::crossing::{Curve, Place};
+use crate::tracking::crossing::{Curve, Place};
 
 /// Distance in radii below which both positions may be exchanged.
 const CLOSE: f64 = 0.4;

@@ -4,10 +4,10 @@
 //! key frame averages both. The scatter of each pixel about the mean determines its weight.
 
 use crate::tracking::body::appearance::Sighting;
-use crate::tracking::body::crossing::Place;
 use crate::tracking::body::frame::Frame;
 use crate::tracking::body::part::Part;
 use crate::tracking::body::template::{Found, Sample, Template};
+use crate::tracking::crossing::Place;
 use crate::tracking::median::median;
 use crate::tracking::similarity::Similarity;
 
@@ -33,7 +33,7 @@ pub(crate) struct Seen {
     pub now: Found,
     /// Agreement with the body rather than the background, relative to the best possible one.
     pub agreement: f64,
-    /// True if the body was away from its predicted position, or hidden before.
+    /// True if the body was away from its predicted position, hidden before, or outside the picture.
     pub aside: bool,
     /// True if no other moving object touches the body, so that its position can be used for predictions.
     pub free: bool,
@@ -48,7 +48,11 @@ pub(crate) struct Seen {
 impl Seen {
     /// Body found in a frame. `key`: index of the template.
     pub(super) fn new(frame: Frame<'_>, key: usize, part: Part, one: &Sighting) -> Seen {
-        let Sighting { found, agreement, aside, free, beside, .. } = *one;
+        let Sighting { found, agreement, free, beside, .. } = *one;
+        let [x, y] = found.position;
+        let is_inside =
+            (0.0..frame.plane.width() as f64).contains(&x) && (0.0..frame.plane.height() as f64).contains(&y);
+        let aside = one.aside || !is_inside;
         Seen {
             frame: frame.number,
             time: frame.time,

@@ -3,18 +3,20 @@
 use crate::tracking::body::appearance::{AGREES, Appearance, Sighting};
 use crate::tracking::body::background::Compared;
 use crate::tracking::body::course::{Course, course};
-use crate::tracking::body::crossing::Place;
 use crate::tracking::body::exchanges::{Assigned, Vector, exchanges};
 use crate::tracking::body::frame::Frame;
 use crate::tracking::body::meeting::{Sides, far};
 use crate::tracking::body::part::{MARGIN, Part};
 use crate::tracking::body::refining::Seen;
 use crate::tracking::body::template::Template;
+use crate::tracking::crossing::Place;
 
 /// Minimum agreement away from the predicted position, where similar objects may be. The body may have been pushed.
 const PUSHED: f32 = 0.7;
 /// Number of frames after which a touching object counts as part of the appearance.
 const TOUCHED: usize = 5;
+/// Number of positions below which those of a body that something touched are used, too.
+const FEWEST: usize = 3;
 /// Maximum number of frames in which a hidden body is sought.
 pub(super) const HIDDEN: usize = 10;
 /// A body of which another one covers more than this is not seen.
@@ -28,6 +30,10 @@ const SIDES: [usize; 5] = [5, 8, 12, 16, MOST];
 pub(super) const MOST: usize = 24;
 /// Maximum distance from the smooth curve through a meeting, px and relative to the radius, of a position that is certain.
 const NEAR: (f64, f64) = (2.5, 0.1);
+/// Number of frames in which the motion of a body is about straight.
+const EARLY: usize = 8;
+/// Distance in radii below which bodies cover one another in part.
+const COVERING: f64 = 2.0;
 /// A thing that was seen in fewer frames may be a pattern of the background.
 const SIGHTINGS: usize = 3;
 
@@ -36,7 +42,8 @@ pub(super) fn trail(seen: &[Seen]) -> Vec<Place> {
     let trail = seen.get(seen.len().saturating_sub(TOUCHED + 4)..).unwrap_or_default();
     // Bodies that touch disturb one another's positions: the prediction uses those before.
     let touched = trail.iter().rev().take_while(|one| !one.free).count();
-    let counts = |one: &&Seen| one.free || touched >= TOUCHED || trail.len() < 4;
+    let free = trail.iter().filter(|one| one.free).count();
+    let counts = |one: &&Seen| one.free || touched >= TOUCHED || free < FEWEST;
     trail.iter().filter(counts).map(Seen::place).collect()
 }
 
@@ -167,6 +174,10 @@ impl Rival {
         radius: f64,
     ) -> Option<Settled> {
         let now = [own.len().saturating_sub(1), self.seen.len().saturating_sub(usize::from(self.hidden == 0))];
+        if self.meeting.is_none() && self.has_come_out(own.get(begin..).unwrap_or_default(), radius) {
+            self.meeting = Some(Meeting { from: [begin, 0], apart: now.map(|now| now + 1), closing: 0.0 });
+            return None;
+        }
         if may_be_exchanged {
             let closing = self.closing(own);
             let meeting = self.meeting.get_or_insert_with(|| {
@@ -258,6 +269,30 @@ impl Rival {
         let between = between.collect();
         self.meeting = None;
         Some(Settled { is_exchanged, between, apart })
+    }
+
+    /// True if this body, which has just been seen twice, may have covered a part of the other one at its click. `own`: all sightings of the
+    /// other one.
+    fn has_come_out(&self, own: &[Seen], radius: f64) -> bool {
+        let (Some(start), [first, second]) = (own.first(), self.seen.as_slice()) else { return false };
+        let ((late, from), (later, to)) = (first.place(), second.place());
+        let (back, step) = ((start.time - late) / (later - late), [0, 1].map(|k| to[k] - from[k]));
+        if own.len() > MOST || back == 0.0 {
+            return false;
+        }
+        if own.len() <= EARLY {
+            let place = [0, 1].map(|k| from[k] + back * step[k]);
+            return far(place, start.first.position) < COVERING * radius;
+        }
+        // The motion of many frames is not straight; the bodies separate slowly.
+        let at = |one: &Seen| own.iter().rfind(|other| other.frame == one.frame).map(|other| other.first.position);
+        let Some((before, now)) = at(first).zip(at(second)) else { return false };
+        let (from, to) = ([from[0] - before[0], from[1] - before[1]], [to[0] - now[0], to[1] - now[1]]);
+        let step = [to[0] - from[0], to[1] - from[1]];
+        let square = (step[0] * step[0] + step[1] * step[1]).max(f64::MIN_POSITIVE);
+        // Number of frames since the least distance, not before the start.
+        let since = ((from[0] * step[0] + from[1] * step[1]) / square).min(-back);
+        since > 0.0 && far([from[0] - since * step[0], from[1] - since * step[1]], [0.0; 2]) < COVERING * radius
     }
 
     /// Change of the distance of both bodies, px a frame.

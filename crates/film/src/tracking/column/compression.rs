@@ -13,8 +13,8 @@ const COMPARED: usize = 1500;
 /// Maximum difference of equal normalized values, in 1/256 of a grey value.
 const SAME: u16 = 8;
 /// Minimum fraction of values that stay equal between frames (median over the film) if compression suppresses changes.
-/// Noise without compression leaves fewer equal values.
-const KEPT: f64 = 0.3;
+/// Noise without compression leaves at most 0.03.
+const KEPT: f64 = 0.1;
 /// Standard error of a slow motion in multiples of the residual of a sinusoid. Observed: 1 to 5 in coarse films.
 const PLAY: f64 = 3.0;
 /// Maximum residual of a sinusoidal motion, relative to the amplitude (root mean square).

@@ -5,6 +5,7 @@ use crate::tracking::column::solving::Solving;
 use crate::tracking::column::strip::{Line, Strip};
 use crate::tracking::errors::{jumps, outliers, scaled};
 use crate::tracking::readout;
+use crate::tracking::smooth::Motion;
 use crate::tracking::track::{Known, Point, Readout, Track};
 
 /// Minimum score of a reliable point.
@@ -20,6 +21,8 @@ const UNCERTAIN: f64 = 3.0;
 const SAME: f64 = 0.995;
 const LEAST_GAIN: f64 = 0.8;
 const MOST_GAIN: f64 = 1.25;
+/// Maximum distance in px from the motion of certain points on both sides at which a doubt that the look leaves is settled.
+const NEAR: f64 = 2.0;
 /// Maximum number of frames between two doubtful ones that become doubtful too, unless their regions are clear.
 const BETWEEN: usize = 3;
 /// Minimum length of a gap in frames. In shorter runs of hidden frames the points are doubtful.
@@ -70,11 +73,24 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
         points[at].sigma = line.direction.map(|part| part.abs() * sigma);
         formal[at] = sigma;
     }
+    // Doubts that the look alone leaves.
+    let mut by_look: Vec<bool> = points.iter().zip(&hidden).map(|(point, hidden)| point.doubtful && !hidden).collect();
     for part in parts.iter().cloned() {
         let outliers = outliers(&times[part.clone()], &along[part.clone()], &formal[part.clone()], DEVIATION);
         let jumps = jumps(&along[part.clone()], JUMP);
         for (at, (is_outlier, is_jump)) in part.zip(outliers.into_iter().zip(jumps)) {
-            points[at].doubtful |= is_outlier || is_jump || formal[at] > UNCERTAIN;
+            let is_off = is_outlier || is_jump || formal[at] > UNCERTAIN;
+            points[at].doubtful |= is_off;
+            by_look[at] &= !is_off;
+        }
+    }
+    for part in parts.iter().cloned() {
+        let motion =
+            Motion::new(times[part.clone()].to_vec(), along[part.clone()].iter().map(|row| [*row, 0.0]).collect());
+        let certain: Vec<bool> = points[part.clone()].iter().map(|point| !point.doubtful).collect();
+        for at in part.clone().filter(|at| by_look[*at]) {
+            let off = motion.through(at - part.start, |one| certain[one]);
+            points[at].doubtful = off.is_none_or(|off| off > NEAR);
         }
     }
     let doubtful: Vec<usize> = kept().filter(|at| points[*at].doubtful).collect();

@@ -3,7 +3,7 @@
 use crate::tracking::linear::solve;
 
 /// Time in s and position in px.
-pub(super) type Place = (f64, [f64; 2]);
+pub(crate) type Place = (f64, [f64; 2]);
 
 /// Number of coefficients with many positions, and with few.
 const MANY: usize = 10;
@@ -12,7 +12,7 @@ const FEW: usize = 6;
 const FEWEST: usize = 4;
 
 /// Polynomial by least squares through positions before and after a meeting, of the degree that their number allows.
-pub(super) struct Curve {
+pub(crate) struct Curve {
     /// Middle of the times and half their range, s.
     time: [f64; 2],
     /// Coefficients of both coordinates, for times relative to the middle in units of half the range.
@@ -25,7 +25,7 @@ pub(super) struct Curve {
 
 impl Curve {
     /// `None` if there are fewer than three positions on a side, or their times coincide.
-    pub(super) fn through(before: &[Place], after: &[Place]) -> Option<Curve> {
+    pub(crate) fn through(before: &[Place], after: &[Place]) -> Option<Curve> {
         let sides = [before, after].concat();
         match before.len().min(after.len()) {
             ..3 => None,
@@ -67,13 +67,13 @@ impl Curve {
     }
 
     /// Position at a time, px.
-    pub(super) fn at(&self, time: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, time: f64) -> [f64; 2] {
         let terms = self.terms(time);
         self.coefficients.map(|line| line.iter().zip(terms).map(|(coefficient, term)| coefficient * term).sum())
     }
 
     /// Distance of a position from the curve, px.
-    pub(super) fn off(&self, time: f64, [x, y]: [f64; 2]) -> f64 {
+    pub(crate) fn off(&self, time: f64, [x, y]: [f64; 2]) -> f64 {
         let [u, v] = self.at(time);
         libm::hypot(x - u, y - v)
     }

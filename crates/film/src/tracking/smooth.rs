@@ -1,5 +1,6 @@
 //! Where the neighbours of a point lead. Motions are smooth except where a body bounces.
 
+use crate::tracking::crossing::{Curve, Place};
 use crate::tracking::median::median;
 
 /// Maximum duration of the neighbours that are used, in median intervals between points.
@@ -9,18 +10,22 @@ const INSTANTS: u32 = 40;
 /// Maximum number of points on each side among which usable ones are sought.
 const NEAR: usize = 8;
 
+/// Maximum number of points on each side of a doubt that may settle it, and maximum distance in median intervals.
+const AROUND: (usize, f64) = (6, 12.5);
+
 /// Positions of a track, px, and their times.
-pub(super) struct Motion {
+pub(crate) struct Motion {
     times: Vec<f64>,
     positions: Vec<[f64; 2]>,
     span: f64,
+    interval: f64,
 }
 
 impl Motion {
     /// Motion through positions in the order of time.
-    pub(super) fn new(times: Vec<f64>, positions: Vec<[f64; 2]>) -> Motion {
-        let span = SPAN * median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
-        Motion { times, positions, span }
+    pub(crate) fn new(times: Vec<f64>, positions: Vec<[f64; 2]>) -> Motion {
+        let interval = median(times.windows(2).map(|pair| pair[1] - pair[0]).collect());
+        Motion { times, positions, span: SPAN * interval, interval }
     }
 
     /// Value at a time of the polynomial through some points.
@@ -32,6 +37,12 @@ impl Motion {
             (0..2).for_each(|k| sum[k] += weight * self.positions[*one][k]);
         }
         sum
+    }
+
+    /// Vector from the first point to where some others lead, px.
+    pub(crate) fn back(&self, through: &[usize]) -> [f64; 2] {
+        let led = self.curve(through, self.times[0]);
+        [0, 1].map(|k| led[k] - self.positions[0][k])
     }
 
     /// The nearest `count` usable points before an index, the nearest one first.
@@ -57,23 +68,37 @@ impl Motion {
     }
 
     /// Distance of a point from the cubic through two usable points on each side, along both coordinates. `None` near ends and gaps.
-    pub(super) fn between(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
+    pub(crate) fn between(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
         let both = [self.before(at, 2, &usable), self.after(at + 1, 2, &usable)].concat();
         self.are_near(at, (&both, 4)).then(|| self.off(at, &both))
     }
 
     /// Distance of a point from where its usable neighbours lead, along both coordinates: by the cubic through two on each side, or by the
     /// parabola through three on one side, whichever is closest. `None` near ends and gaps.
-    pub(super) fn distance(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
+    pub(crate) fn distance(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
         let both = self.between(at, &usable)?;
         let sides = [self.before(at, 3, &usable), self.after(at + 1, 3, &usable)];
         let sides = sides.into_iter().filter(|side| self.are_near(at, (side, 3))).map(|side| self.off(at, &side));
         sides.chain([both]).min_by(|one, other| libm::hypot(one[0], one[1]).total_cmp(&libm::hypot(other[0], other[1])))
     }
 
+    /// Distance of a point from the smooth curve through usable points on both sides, px, which may be further away than those of
+    /// [`Motion::distance`]; the less of both. `None` with too few of them.
+    pub(crate) fn through(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<f64> {
+        let near = self.distance(at, &usable).map(|[x, y]| libm::hypot(x, y));
+        let is_near = |one: &usize| (self.times[*one] - self.times[at]).abs() < AROUND.1 * self.interval;
+        let place = |one: usize| -> Place { (self.times[one], self.positions[one]) };
+        let before = (0..at).rev().take_while(is_near).filter(|one| usable(*one)).take(AROUND.0).map(place);
+        let after = (at + 1..self.times.len()).take_while(is_near).filter(|one| usable(*one)).take(AROUND.0).map(place);
+        let (mut before, after): (Vec<Place>, Vec<Place>) = (before.collect(), after.collect());
+        before.reverse();
+        let far = Curve::through(&before, &after).map(|curve| curve.off(self.times[at], self.positions[at]));
+        near.into_iter().chain(far).min_by(f64::total_cmp)
+    }
+
     /// True if the motion before a point meets the motion after it within an interval of the point, and one of them leads to the point, both
     /// to within half of `limit` (px).
-    pub(super) fn bounces(&self, at: usize, limit: f64) -> bool {
+    pub(crate) fn bounces(&self, at: usize, limit: f64) -> bool {
         let (all, limit) = (|_: usize| true, limit / 2.0);
         let is_led = self.distance(at, all).is_some_and(|off| libm::hypot(off[0], off[1]) <= limit);
         let meets = |at: usize| self.step(at, all).is_some_and(|step| step <= limit);
@@ -121,6 +146,22 @@ mod tests {
                 assert!(motion.step(at, |_| true).is_none_or(|step| step < 0.1 * speed + 1e-9), "{speed}, {at}");
             }
         }
+    }
+
+    #[test]
+    fn certain_frames_on_both_sides_lead_through_a_run_of_others() {
+        let place = |k: i32| [100.0 * libm::cos(0.12 * f64::from(k)), 40.0 * libm::sin(0.12 * f64::from(k))];
+        let mut motion = Motion::new((0..40).map(f64::from).collect(), (0..40).map(place).collect());
+        let is_certain = |one: usize| !(15..24).contains(&one);
+        for at in 15..24 {
+            let off = motion.through(at, is_certain).expect("a distance");
+            assert!(off < 1.0, "{at}: {off}");
+            motion.positions[at][0] += 5.0;
+            let off = motion.through(at, is_certain).expect("a distance");
+            assert!(off > 4.0, "{at}: {off}");
+        }
+        assert_eq!(motion.through(20, |one| one < 15), None);
+        assert_eq!(motion.through(20, |one| !(5..36).contains(&one)), None);
     }
 
     #[test]

@@ -69,9 +69,12 @@ impl Stepper {
     /// As [`Stepper::advance`].
     pub fn advance_within(&mut self, work: u64, record: &mut impl Record) -> Result<Progress, RunError> {
         let target = (self.index + 1) as f64 * self.step;
+        if self.takes_known_row(target) {
+            record.row(target, &self.state, false);
+            return Ok(Progress::Row { events: 0 });
+        }
         if self.takes_row(target, work) {
             record.row(target, &self.state, false);
-            self.index += 1;
             return Ok(Progress::Row { events: std::mem::take(&mut self.row).events });
         }
         let arrived = self.try_until(target, work, record)?;

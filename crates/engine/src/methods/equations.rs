@@ -178,7 +178,17 @@ impl Equations {
 
     /// Approximate number of floating-point operations of these evaluations.
     pub fn work_of(&self, taken: Taken) -> u64 {
-        taken.stages() * self.rates.work()
+        self.work_of_stages(taken.stages())
+    }
+
+    /// Approximate number of floating-point operations of so many evaluations.
+    pub fn work_of_stages(&self, stages: u64) -> u64 {
+        stages * self.rates.work()
+    }
+
+    /// Registers of f.
+    pub fn registers(&self) -> &[f64] {
+        self.rates.registers()
     }
 
     /// Makes one step of a fixed-step method with `stages` evaluations of f in compiled form. False if there is none.

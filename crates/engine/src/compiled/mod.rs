@@ -4,13 +4,14 @@ pub(crate) mod block;
 pub(crate) mod lanes;
 pub(crate) mod layout;
 pub(crate) mod listing;
+pub(crate) mod side_by_side;
 pub(crate) mod window;
 pub(crate) mod window_layout;
 
 use crate::Setup;
-use lanes::SideBySide;
 use listing::Listing;
 use program::{Model, NodeId};
+use side_by_side::SideBySide;
 use std::fmt::Debug;
 use std::rc::Rc;
 

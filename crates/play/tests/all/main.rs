@@ -21,7 +21,6 @@ mod replacement;
 mod scores;
 mod seats;
 mod sharing;
-mod side_by_side;
 mod simulations;
 mod sizes;
 mod support;

@@ -6,7 +6,6 @@ use crate::time::course::Course;
 use engine::{Advance, Folds, LANES, Readings, Run, RunError, Setup, SideBySide};
 use figure::Interval;
 use program::{Model, NodeId, Plot, Sweep, Taken};
-use std::collections::VecDeque;
 use units::Unit;
 
 /// Fewer runs are made one by one.
@@ -53,8 +52,8 @@ struct Together {
     first: usize,
     /// Parameters and initial values of each, SI units.
     begun: Vec<[Vec<f64>; 2]>,
-    /// Values taken from each that is not drawn.
-    takings: VecDeque<Taking>,
+    /// Values taken from each.
+    takings: Vec<Taking>,
     /// True if they are complete.
     ended: bool,
 }
@@ -241,15 +240,16 @@ impl Swept {
 
     /// Continues runs side by side, or draws the next one of them. False if the next run is made alone.
     fn proceed_together(&mut self, motion: Motion, left: &mut u64) -> bool {
-        let Some(mut together) = self.together.take().or_else(|| self.begin_together(motion)) else { return false };
+        let begun = self.together.take().filter(|together| self.done < together.first + together.takings.len());
+        let Some(mut together) = begun.or_else(|| self.begin_together(motion)) else { return false };
         let mut draws = true;
         if together.ended {
-            draws = self.draw_next(&mut together);
+            draws = self.draw_next(&together);
         } else {
             let Together { runs, takings, ended, .. } = &mut together;
             *ended = runs.advance(left, &mut |run, time, values| takings[run].take(&self.sweep, time, values));
         }
-        self.together = Some(together).filter(|together| !together.takings.is_empty());
+        self.together = Some(together);
         draws
     }
 
@@ -261,22 +261,20 @@ impl Swept {
         let mut runs = runs?;
         let first = self.done;
         let begun: Vec<_> = (first..self.count).take(LANES).map(|place| self.begun(&setup, place)).collect();
-        let mut takings: VecDeque<_> = begun.iter().map(|_| Taking::new(&self.sweep)).collect();
+        let mut takings: Vec<_> = begun.iter().map(|_| Taking::new(&self.sweep)).collect();
         let mut take = |run: usize, time: f64, values: &[f64]| takings[run].take(&self.sweep, time, values);
         runs.begin(&begun, self.sweep.until, &mut take);
         Some(Together { runs, first, begun, takings, ended: false })
     }
 
     /// Draws the next one of runs that were made side by side. False if it has failed: what it has until then is found alone.
-    fn draw_next(&mut self, together: &mut Together) -> bool {
+    fn draw_next(&mut self, together: &Together) -> bool {
         let run = self.done - together.first;
-        let taking = together.takings.pop_front();
-        let (Some(taking), Some((time, state))) = (taking, together.runs.end(run)) else { return false };
-        let [parameters, initial] = &together.begun[run];
-        let values =
-            taking.folds.values(&self.sweep.aggregates, &mut self.drawn, [parameters, initial], (time, &state));
-        let values = values.to_vec();
-        self.draw(&taking, &values);
+        let Some((time, state)) = together.runs.end(run) else { return false };
+        let (taking, [parameters, initial]) = (&together.takings[run], &together.begun[run]);
+        let aggregates = &self.sweep.aggregates;
+        let values = taking.folds.values(aggregates, &mut self.drawn, [parameters, initial], (time, &state)).to_vec();
+        self.draw(taking, &values);
         true
     }
 

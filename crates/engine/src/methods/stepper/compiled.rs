@@ -24,7 +24,8 @@ impl Stepper {
     /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or can be in advance and nothing can
     /// happen on the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, if
     /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.
-    #[inline]
+    // Not inlined: `advance_within` is compiled with each of its callers.
+    #[inline(never)]
     pub(super) fn takes_row(&mut self, target: f64, work: u64) -> bool {
         if !self.on_grid || self.stopped.is_some() || self.counts || self.presses.next().is_some() {
             return false;

@@ -47,7 +47,7 @@ impl Stepper {
     ///
     /// # Errors
     /// An event that ends the run. Other errors concern times after the end and are ignored.
-    pub fn finish(&mut self, end: f64, record: &mut impl Record) -> Result<(), RunError> {
+    pub fn finish(&mut self, end: f64, record: &mut dyn Record) -> Result<(), RunError> {
         if self.stopped.is_some() || (self.surfaces.events.is_empty() && self.presses.next().is_none()) {
             return Ok(());
         }

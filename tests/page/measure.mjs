@@ -36,7 +36,9 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
   const tube = new probe.Pace();
   const emitted = new probe.Pace();
   emitted.emit();
-  const best = { machine: 0, emitted: 0, hand: 0, best: 0 };
+  const beside = new probe.SideBySideTubes();
+  if (beside.steps(64 * 500) !== tube.machine(500)) throw new Error("runs side by side have other bits");
+  const best = { machine: 0, emitted: 0, beside: 0, hand: 0, best: 0 };
   const measure = (name, work) => {
     const start = performance.now();
     work();
@@ -45,6 +47,7 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
   for (let round = 0; round < rounds; round += 1) {
     measure("machine", () => tube.machine(steps));
     measure("emitted", () => emitted.machine(steps));
+    measure("beside", () => beside.steps(steps));
     measure("hand", () => tube.by_hand(steps));
     measure("best", () => tube.best_by_hand(steps));
   }
@@ -133,6 +136,7 @@ const task = {
 function sayPace(best) {
   say("wasm-machine", best.machine);
   say("wasm-emitted", best.emitted);
+  say("wasm-side-by-side", best.beside);
   say("wasm-hand", best.hand);
   say("wasm-best", best.best);
   for (const [name, times] of Object.entries(best.shipped)) {

@@ -92,76 +92,96 @@ impl<'a> Body<'a> {
     }
 
     fn line(&self, sink: &mut Sink, line: &Line) {
-        let [a, b, c] = line.operands.map(|operand| self.register(operand));
+        let operands @ [a, b, c] = line.operands.map(|operand| self.register(operand));
         match line.operation {
-            Operation::Add => drop(sink.instructions().local_get(a).local_get(b).f64_add()),
-            Operation::Subtract => drop(sink.instructions().local_get(a).local_get(b).f64_sub()),
-            Operation::Multiply => drop(sink.instructions().local_get(a).local_get(b).f64_mul()),
-            Operation::Divide => drop(sink.instructions().local_get(a).local_get(b).f64_div()),
-            Operation::Negate => drop(sink.instructions().local_get(a).f64_neg()),
+            Operation::Add => binary(sink, Binary::Add, a, b),
+            Operation::Subtract => binary(sink, Binary::Subtract, a, b),
+            Operation::Multiply => binary(sink, Binary::Multiply, a, b),
+            Operation::Divide => binary(sink, Binary::Divide, a, b),
+            Operation::Negate => unary(sink, Unary::Negate, a),
             Operation::MultiplyAdd => {
-                sink.instructions().local_get(a).local_get(b).f64_mul().local_get(c).f64_add();
+                binary(sink, Binary::Multiply, a, b);
+                sink.get(c);
+                sink.add();
             }
             Operation::MultiplySubtract => {
-                sink.instructions().local_get(a).local_get(b).f64_mul().local_get(c).f64_sub();
+                binary(sink, Binary::Multiply, a, b);
+                sink.get(c);
+                sink.subtract();
             }
             Operation::SubtractProduct => {
-                sink.instructions().local_get(c).local_get(a).local_get(b).f64_mul().f64_sub();
+                sink.get(c);
+                binary(sink, Binary::Multiply, a, b);
+                sink.subtract();
             }
             Operation::Select => {
-                sink.instructions().local_get(b).local_get(c).local_get(a).f64_const(0.0.into()).f64_ne().select();
+                sink.get(b);
+                sink.get(c);
+                is_true(sink, a);
+                sink.choose();
             }
             Operation::Unary(function) => unary(sink, function, a),
             Operation::Binary(function) => binary(sink, function, a, b),
-            Operation::Piece(number) => call(sink, Function::Piece(number), [a, b, c]),
-            Operation::Interpolated(number) => call(sink, Function::Interpolated(number), [a, b, c]),
-            Operation::Binomial => call(sink, Function::Binomial, [a, b, c]),
+            Operation::Piece(number) => call(sink, Function::Piece(number), operands),
+            Operation::Interpolated(number) => call(sink, Function::Interpolated(number), operands),
+            Operation::Binomial => call(sink, Function::Binomial, operands),
         }
         sink.set(self.register(line.to));
     }
 }
 
 fn call(sink: &mut Sink, function: Function, operands: [Local; 3]) {
-    for &operand in &operands[..function.operands()] {
-        sink.get(operand);
-    }
-    sink.call(function);
+    sink.call_at(function, &operands[..function.operands()]);
+}
+
+/// Pushes the condition that a number is not 0.
+fn is_true(sink: &mut Sink, a: Local) {
+    sink.get(a);
+    sink.constant(0.0);
+    sink.not_equal();
 }
 
 /// A function of one operand, as [`Unary::evaluate`] has it.
-fn unary(sink: &mut Sink, function: Unary, a: Local) {
-    let mut instructions = sink.instructions();
-    match function {
-        Unary::Negate => drop(instructions.local_get(a).f64_neg()),
-        Unary::Not => drop(instructions.local_get(a).f64_const(0.0.into()).f64_eq().f64_convert_i32_u()),
-        Unary::Absolute => drop(instructions.local_get(a).f64_abs()),
-        Unary::SquareRoot => drop(instructions.local_get(a).f64_sqrt()),
-        Unary::Floor => drop(instructions.local_get(a).f64_floor()),
-        Unary::Ceil => drop(instructions.local_get(a).f64_ceil()),
-        _ => call(sink, Function::Unary(function), [a; 3]),
-    }
+fn unary<'c>(sink: &mut Sink<'c>, function: Unary, a: Local) {
+    let operation: fn(&mut Sink<'c>) = match function {
+        Unary::Negate => Sink::negate,
+        Unary::Not => |sink| {
+            sink.constant(0.0);
+            sink.equal();
+            sink.truth();
+        },
+        Unary::Absolute => Sink::absolute,
+        Unary::SquareRoot => Sink::square_root,
+        Unary::Floor => Sink::floor,
+        Unary::Ceil => Sink::ceil,
+        _ => return call(sink, Function::Unary(function), [a; 3]),
+    };
+    sink.get(a);
+    operation(sink);
 }
 
 /// A function of two operands, as [`Binary::evaluate`] has it.
-fn binary(sink: &mut Sink, function: Binary, a: Local, b: Local) {
-    let mut instructions = sink.instructions();
-    match function {
-        Binary::Add => drop(instructions.local_get(a).local_get(b).f64_add()),
-        Binary::Subtract => drop(instructions.local_get(a).local_get(b).f64_sub()),
-        Binary::Multiply => drop(instructions.local_get(a).local_get(b).f64_mul()),
-        Binary::Divide => drop(instructions.local_get(a).local_get(b).f64_div()),
-        Binary::Less => drop(instructions.local_get(a).local_get(b).f64_lt().f64_convert_i32_u()),
-        Binary::LessOrEqual => drop(instructions.local_get(a).local_get(b).f64_le().f64_convert_i32_u()),
-        Binary::Equal => drop(instructions.local_get(a).local_get(b).f64_eq().f64_convert_i32_u()),
-        Binary::NotEqual => drop(instructions.local_get(a).local_get(b).f64_ne().f64_convert_i32_u()),
-        Binary::And => {
-            instructions.local_get(a).f64_const(0.0.into()).f64_ne();
-            instructions.local_get(b).f64_const(0.0.into()).f64_ne().i32_and().f64_convert_i32_u();
-        }
-        Binary::Or => {
-            instructions.local_get(a).f64_const(0.0.into()).f64_ne();
-            instructions.local_get(b).f64_const(0.0.into()).f64_ne().i32_or().f64_convert_i32_u();
-        }
-        _ => call(sink, Function::Binary(function), [a, b, b]),
+fn binary<'c>(sink: &mut Sink<'c>, function: Binary, a: Local, b: Local) {
+    let compares = matches!(function, Binary::Less | Binary::LessOrEqual | Binary::Equal | Binary::NotEqual);
+    let joins = matches!(function, Binary::And | Binary::Or);
+    let operation: fn(&mut Sink<'c>) = match function {
+        Binary::Add => Sink::add,
+        Binary::Subtract => Sink::subtract,
+        Binary::Multiply => Sink::multiply,
+        Binary::Divide => Sink::divide,
+        Binary::Less => Sink::less,
+        Binary::LessOrEqual => Sink::less_or_equal,
+        Binary::Equal => Sink::equal,
+        Binary::NotEqual => Sink::not_equal,
+        Binary::And => Sink::both,
+        Binary::Or => Sink::either,
+        _ => return call(sink, Function::Binary(function), [a, b, b]),
+    };
+    let operand: fn(&mut Sink<'c>, Local) = if joins { is_true } else { Sink::get };
+    operand(sink, a);
+    operand(sink, b);
+    operation(sink);
+    if compares || joins {
+        sink.truth();
     }
 }

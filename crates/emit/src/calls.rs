@@ -2,8 +2,9 @@
 
 use crate::function::Function;
 use crate::interpolation;
-use engine::{Line, Listing, Operation};
-use program::{Binary, Unary};
+use engine::{Line, Operation, WindowListing};
+use program::{Binary, Interpolation, Unary};
+use std::sync::Arc;
 
 /// Functions by their numbers in a module: first the imported ones, then `run`, then those of the module's own.
 #[derive(Debug, Default)]
@@ -13,24 +14,24 @@ pub(crate) struct Calls {
 }
 
 impl Calls {
-    /// The functions that the steps of a listing call.
-    pub fn of(listing: &Listing) -> Self {
+    /// The functions that operations call. `interpolations` are those of their listing.
+    pub fn of<'a>(lines: impl Iterator<Item = &'a Line>, interpolations: &[Arc<Interpolation>]) -> Self {
         let mut calls = Self::default();
-        if let Some(window) = &listing.window {
-            calls.imported.extend([Function::Growth, Function::Shrinkage]);
-            if window.layout.compared > 0 {
-                calls.imported.push(Function::SignChanges);
-            }
-        }
-        let formulas = listing.window.iter().flat_map(|window| &window.formulas);
-        let lines = listing.lines.iter().chain(formulas.flat_map(|formulas| &formulas.lines));
         for function in lines.filter_map(called) {
-            let list = if is_own(listing, function) { &mut calls.own } else { &mut calls.imported };
+            let list = if is_own(interpolations, function) { &mut calls.own } else { &mut calls.imported };
             if !list.contains(&function) {
                 list.push(function);
             }
         }
         calls
+    }
+
+    /// Adds the functions of the step control of a window.
+    pub fn control_steps(&mut self, window: &WindowListing) {
+        self.imported.extend([Function::Growth, Function::Shrinkage]);
+        if window.layout.compared > 0 {
+            self.imported.push(Function::SignChanges);
+        }
     }
 
     /// Number of a function in the module.
@@ -42,10 +43,10 @@ impl Calls {
 }
 
 /// True if a module has the function itself.
-fn is_own(listing: &Listing, function: Function) -> bool {
+fn is_own(interpolations: &[Arc<Interpolation>], function: Function) -> bool {
     match function {
         Function::Piece(number) | Function::Interpolated(number) => {
-            let interpolation = listing.interpolations.get(number as usize);
+            let interpolation = interpolations.get(number as usize);
             interpolation.is_some_and(|interpolation| interpolation.knots().len() <= interpolation::MOST_KNOTS)
         }
         _ => false,

@@ -6,6 +6,7 @@
 //! the block in bytes and the greatest number of steps or rows, and returns what [`engine::Compiled::run`] returns. All operations are
 //! done in the order of the interpreter and none is fused, so that the results have the same bits.
 
+mod arithmetic;
 mod body;
 mod calls;
 mod checks;
@@ -19,8 +20,10 @@ mod window;
 pub use function::{Function, Plain};
 
 use calls::Calls;
-use engine::Listing;
-use sink::Sink;
+use engine::{LanesListing, Listing};
+use program::Interpolation;
+use sink::{Sink, Values};
+use std::sync::Arc;
 use wasm_encoder::{
     CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemoryType, TypeSection,
     ValType,
@@ -51,11 +54,36 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
     if operations > MOST_OPERATIONS {
         return Err(TooManyOperations(operations));
     }
-    let calls = Calls::of(listing);
-    let mut sink = Sink::new(&calls);
+    let formulas = listing.window.iter().flat_map(|window| &window.formulas);
+    let lines = listing.lines.iter().chain(formulas.flat_map(|formulas| &formulas.lines));
+    let mut calls = Calls::of(lines, &listing.interpolations);
+    if let Some(window) = &listing.window {
+        calls.control_steps(window);
+    }
+    let mut sink = Sink::new(Values::Numbers, &calls);
     methods::steps(listing, &mut sink);
-    let run = sink.finish();
+    Ok(with_functions(sink.finish(), calls, &listing.interpolations))
+}
 
+/// Emits the steps of runs side by side, for [`engine::SideBySide`]. Browsers need SIMD for it. `run` takes the address of the numbers
+/// of the first pair and the number of steps, at least 1, and returns it.
+///
+/// # Errors
+/// The step has too many operations.
+pub fn side_by_side(listing: &LanesListing) -> Result<Module, TooManyOperations> {
+    let LanesListing { steps, readings, .. } = listing;
+    let operations = methods::operations(steps) + readings.lines.len();
+    if operations > MOST_OPERATIONS {
+        return Err(TooManyOperations(operations));
+    }
+    let calls = Calls::of(steps.lines.iter().chain(&readings.lines), &steps.interpolations);
+    let mut sink = Sink::new(Values::Pairs, &calls);
+    methods::steps_side_by_side(listing, &mut sink);
+    Ok(with_functions(sink.finish(), calls, &steps.interpolations))
+}
+
+/// The module of the function `run` with those that it calls.
+fn with_functions(run: wasm_encoder::Function, calls: Calls, interpolations: &[Arc<Interpolation>]) -> Module {
     let (mut types, mut imports) = (TypeSection::new(), ImportSection::new());
     for operands in 1..=Function::MOST_OPERANDS {
         types.ty().function(std::iter::repeat_n(ValType::F64, operands), [ValType::F64]);
@@ -71,7 +99,7 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
     exports.export("run", ExportKind::Func, calls.imported.len() as u32);
     code.function(&run);
     for &function in &calls.own {
-        let of = |number: u32| &listing.interpolations[number as usize];
+        let of = |number: u32| &interpolations[number as usize];
         let body = match function {
             Function::Interpolated(number) => interpolation::value(of(number)),
             Function::Piece(number) => interpolation::piece(of(number)),
@@ -83,5 +111,5 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
     }
     let mut module = wasm_encoder::Module::new();
     module.section(&types).section(&imports).section(&own).section(&exports).section(&code);
-    Ok(Module { bytes: module.finish(), functions: calls.imported })
+    Module { bytes: module.finish(), functions: calls.imported }
 }

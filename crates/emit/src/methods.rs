@@ -5,7 +5,7 @@ use crate::body::Body;
 use crate::sink::{Local, Sink};
 use crate::window;
 use engine::tableau::STAGES;
-use engine::{Listing, Method, WindowListing};
+use engine::{LANES, LanesListing, Listing, Method, WindowListing};
 
 /// Number of operations of a step, about.
 pub(crate) fn operations(listing: &Listing) -> usize {
@@ -32,47 +32,48 @@ pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
         return window::intervals(listing, window, sink);
     }
     let layout = listing.layout;
-    let body = Body::of_rates(listing, sink);
-    let [first, spacing, size, time] = std::array::from_fn(|_| sink.local());
-    for (local, place) in [(first, layout.first()), (spacing, layout.spacing()), (size, layout.size())] {
-        sink.load(place);
-        sink.set(local);
-    }
-    let states = sink.locals(layout.states);
-    for (k, &state) in states.iter().enumerate() {
-        sink.load(layout.from() + k);
-        sink.set(state);
-    }
-    let stages = match listing.method {
-        Method::Euler => 1,
-        Method::EulerRichardson | Method::VelocityVerlet => 2,
-        Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => 4,
-    };
-    let rates = (0..stages).map(|_| sink.locals(layout.states)).collect();
-    let step = Step { body, time, size, states: states.clone(), rates, still: &listing.still };
-    sink.repeat(&states, |sink| {
-        sink.get(first);
-        sink.made();
-        sink.add();
-        sink.get(spacing);
-        sink.multiply();
-        sink.set(time);
-        match listing.method {
-            Method::Euler => step.euler(sink),
-            Method::EulerRichardson => step.euler_richardson(sink),
-            Method::VelocityVerlet => step.velocity_verlet(sink, &listing.pairs),
-            // Listings of the Dormand-Prince method have a window, and those of the stiff method do not exist.
-            Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => step.runge_kutta(sink),
-        }
-        for (k, &state) in states.iter().enumerate() {
+    let step = Step::load(listing, sink);
+    sink.repeat(&step.states, |sink| {
+        step.make(sink);
+        for (k, &state) in step.states.iter().enumerate() {
             sink.store_in_row(layout.row(0) + k, state);
+        }
+    });
+}
+
+/// Emits the loop over the steps of runs side by side.
+pub(crate) fn steps_side_by_side(listing: &LanesListing, sink: &mut Sink) {
+    let layout = listing.layout;
+    sink.repeat_for_pairs(LANES / 2, layout.places(), layout.values, |sink| {
+        let step = Step::load(&listing.steps, sink);
+        step.make(sink);
+        for (k, &state) in step.states.iter().enumerate() {
+            sink.store(layout.steps.from() + k, state);
+        }
+        let values = sink.locals(layout.values);
+        let readings = Body::of_formulas(&listing.readings, layout.steps.states, layout.readings(), sink);
+        sink.get(step.first);
+        sink.made();
+        sink.constant(1.0);
+        sink.add();
+        sink.add();
+        sink.get(step.spacing);
+        sink.multiply();
+        sink.set(step.time);
+        readings.evaluate_at(sink, step.time, &step.states, &values);
+        for (number, &value) in values.iter().enumerate() {
+            sink.store_in_row(layout.row(0) + number, value);
         }
     });
 }
 
 /// A step: local variables of its start, of its rates, and of the states, which it changes.
 struct Step<'a> {
+    listing: &'a Listing,
     body: Body<'a>,
+    /// Number of the first step, and distance of the times at which steps begin.
+    first: Local,
+    spacing: Local,
     time: Local,
     size: Local,
     states: Vec<Local>,
@@ -82,7 +83,47 @@ struct Step<'a> {
     still: &'a [Option<f64>],
 }
 
-impl Step<'_> {
+impl<'a> Step<'a> {
+    /// Loads the states at the start.
+    fn load(listing: &'a Listing, sink: &mut Sink) -> Self {
+        let layout = listing.layout;
+        let body = Body::of_rates(listing, sink);
+        let [first, spacing, size, time] = std::array::from_fn(|_| sink.local());
+        for (local, place) in [(first, layout.first()), (spacing, layout.spacing()), (size, layout.size())] {
+            sink.load(place);
+            sink.set(local);
+        }
+        let states = sink.locals(layout.states);
+        for (k, &state) in states.iter().enumerate() {
+            sink.load(layout.from() + k);
+            sink.set(state);
+        }
+        let stages = match listing.method {
+            Method::Euler => 1,
+            Method::EulerRichardson | Method::VelocityVerlet => 2,
+            Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => 4,
+        };
+        let rates = (0..stages).map(|_| sink.locals(layout.states)).collect();
+        Self { listing, body, first, spacing, time, size, states, rates, still: &listing.still }
+    }
+
+    /// Makes the step.
+    fn make(&self, sink: &mut Sink) {
+        sink.get(self.first);
+        sink.made();
+        sink.add();
+        sink.get(self.spacing);
+        sink.multiply();
+        sink.set(self.time);
+        match self.listing.method {
+            Method::Euler => self.euler(sink),
+            Method::EulerRichardson => self.euler_richardson(sink),
+            Method::VelocityVerlet => self.velocity_verlet(sink, &self.listing.pairs),
+            // Listings of the Dormand-Prince method have a window, and those of the stiff method do not exist.
+            Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => self.runge_kutta(sink),
+        }
+    }
+
     fn euler(&self, sink: &mut Sink) {
         self.evaluate_at_start(sink);
         self.finish(sink, self.size, 0);
@@ -137,7 +178,10 @@ impl Step<'_> {
     fn runge_kutta(&self, sink: &mut Sink) {
         let half = self.scaled_size(sink, 0.5);
         let sixth = sink.local();
-        sink.instructions().local_get(self.size).f64_const(6.0.into()).f64_div().local_set(sixth);
+        sink.get(self.size);
+        sink.constant(6.0);
+        sink.divide();
+        sink.set(sixth);
         self.evaluate_at_start(sink);
         for (stage, part) in [(1, half), (2, half), (3, self.size)] {
             self.advance(sink, part, stage - 1);

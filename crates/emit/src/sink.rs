@@ -4,10 +4,19 @@ use crate::calls::Calls;
 use crate::function::Function;
 use wasm_encoder::{BlockType, InstructionSink, MemArg, ValType};
 
-/// Index of a local variable with a floating-point number.
+/// Index of a local variable with a value: a floating-point number, or one for each of two runs.
 pub(crate) type Local = u32;
 
-/// Address of the block in bytes, a parameter of `run`.
+/// Kind of the values of a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Values {
+    /// Floating-point numbers.
+    Numbers,
+    /// Pairs of floating-point numbers, on which the same operations are done.
+    Pairs,
+}
+
+/// Address of the block in bytes, a parameter of `run`; in code for pairs, of the numbers of the pair.
 const BLOCK: u32 = 0;
 /// Number of steps to make, a parameter of `run`.
 const COUNT: u32 = 1;
@@ -17,8 +26,10 @@ const MADE: u32 = 2;
 const ROW: u32 = 3;
 /// Address of the record of the last step, relative to that of record 0 in the block.
 const RECORD: u32 = 4;
-/// First local variable with a floating-point number.
-const FIRST_LOCAL: u32 = 5;
+/// Number of pairs whose step is made.
+const PAIR: u32 = 5;
+/// First local variable with a value.
+const FIRST_LOCAL: u32 = 6;
 
 /// Number of blocks, loops and conditions around the instructions in one of these.
 pub(crate) type Label = u32;
@@ -30,6 +41,7 @@ const LOOP: Label = 1;
 /// that compute push one value and pop their operands.
 #[derive(Debug)]
 pub(crate) struct Sink<'a> {
+    values: Values,
     code: Vec<u8>,
     locals: u32,
     calls: &'a Calls,
@@ -38,8 +50,13 @@ pub(crate) struct Sink<'a> {
 
 impl<'a> Sink<'a> {
     /// Begins the function.
-    pub fn new(calls: &'a Calls) -> Self {
-        Self { code: Vec::new(), locals: 0, calls, depth: 0 }
+    pub fn new(values: Values, calls: &'a Calls) -> Self {
+        Self { values, code: Vec::new(), locals: 0, calls, depth: 0 }
+    }
+
+    /// Kind of its values.
+    pub fn values(&self) -> Values {
+        self.values
     }
 
     /// Instructions of the encoder.
@@ -67,35 +84,63 @@ impl<'a> Sink<'a> {
     }
 
     pub fn constant(&mut self, value: f64) {
-        self.instructions().f64_const(value.into());
-    }
-
-    pub fn add(&mut self) {
-        self.instructions().f64_add();
-    }
-
-    pub fn multiply(&mut self) {
-        self.instructions().f64_mul();
+        match self.values {
+            Values::Numbers => drop(self.instructions().f64_const(value.into())),
+            Values::Pairs => {
+                let bits = u128::from(value.to_bits());
+                self.instructions().v128_const((bits | bits << 64) as i128);
+            }
+        }
     }
 
     /// Pushes number `place` of the block.
     pub fn load(&mut self, place: usize) {
-        self.instructions().local_get(BLOCK).f64_load(at(place));
+        let address = self.at(place);
+        match self.values {
+            Values::Numbers => drop(self.instructions().local_get(BLOCK).f64_load(address)),
+            Values::Pairs => drop(self.instructions().local_get(BLOCK).v128_load(address)),
+        }
     }
 
     /// Stores a local variable as number `place` of the block.
     pub fn store(&mut self, place: usize, local: Local) {
-        self.instructions().local_get(BLOCK).local_get(local).f64_store(at(place));
+        self.instructions().local_get(BLOCK);
+        self.store_at(place, local);
     }
 
     /// Stores a local variable as number `place` of the block, counted in the row of the step.
     pub fn store_in_row(&mut self, place: usize, local: Local) {
-        self.instructions().local_get(BLOCK).local_get(ROW).i32_add().local_get(local).f64_store(at(place));
+        self.instructions().local_get(BLOCK).local_get(ROW).i32_add();
+        self.store_at(place, local);
     }
 
     /// Stores a local variable as number `place` of the block, counted in the record of the last step.
     pub fn store_in_record(&mut self, place: usize, local: Local) {
-        self.instructions().local_get(BLOCK).local_get(RECORD).i32_add().local_get(local).f64_store(at(place));
+        self.instructions().local_get(BLOCK).local_get(RECORD).i32_add();
+        self.store_at(place, local);
+    }
+
+    /// Stores a local variable as number `place`, counted from the address on the stack.
+    fn store_at(&mut self, place: usize, local: Local) {
+        let address = self.at(place);
+        match self.values {
+            Values::Numbers => drop(self.instructions().local_get(local).f64_store(address)),
+            Values::Pairs => drop(self.instructions().local_get(local).v128_store(address)),
+        }
+    }
+
+    /// Address of number `place`, relative to a base.
+    fn at(&self, place: usize) -> MemArg {
+        // Pairs are aligned as numbers, too.
+        MemArg { offset: (place * self.size()) as u64, align: 3, memory_index: 0 }
+    }
+
+    /// Size of a value in bytes.
+    fn size(&self) -> usize {
+        match self.values {
+            Values::Numbers => 8,
+            Values::Pairs => 16,
+        }
     }
 
     /// Goes on to the next record, `length` numbers further.
@@ -191,15 +236,41 @@ impl<'a> Sink<'a> {
         self.leave_if();
     }
 
-    /// Calls a function.
+    /// Calls a function with numbers on the stack.
     pub fn call(&mut self, function: Function) {
         let number = self.calls.number(function);
         self.instructions().call(number);
     }
 
+    /// Pushes the value of a function at local variables.
+    pub fn call_at(&mut self, function: Function, operands: &[Local]) {
+        let number = self.calls.number(function);
+        match self.values {
+            Values::Numbers => {
+                operands.iter().for_each(|&operand| self.get(operand));
+                self.instructions().call(number);
+            }
+            Values::Pairs => {
+                for lane in [0, 1] {
+                    for &operand in operands {
+                        self.instructions().local_get(operand).f64x2_extract_lane(lane);
+                    }
+                    self.instructions().call(number);
+                    match lane {
+                        0 => self.instructions().f64x2_splat(),
+                        _ => self.instructions().f64x2_replace_lane(lane),
+                    };
+                }
+            }
+        }
+    }
+
     /// Pushes the number of steps made.
     pub fn made(&mut self) {
         self.instructions().local_get(MADE).f64_convert_i32_u();
+        if self.values == Values::Pairs {
+            self.instructions().f64x2_splat();
+        }
     }
 
     /// Repeats `step` until the given number of steps is made or a state is not finite; `states` are the states after the
@@ -218,17 +289,32 @@ impl<'a> Sink<'a> {
         self.instructions().local_get(COUNT).i32_lt_u().br_if(1).end().end();
     }
 
+    /// Repeats `step` for each pair of `pairs`, whose numbers follow one another, and this until the given number of steps is made.
+    /// `numbers`: number of places of a pair; `row`: number of places in a row.
+    pub fn repeat_for_pairs(&mut self, pairs: usize, numbers: usize, row: usize, step: impl FnOnce(&mut Self)) {
+        let size = self.size();
+        let bytes = |numbers: usize| (size * numbers) as i32;
+        self.instructions().loop_(BlockType::Empty).i32_const(0).local_set(PAIR).loop_(BlockType::Empty);
+        step(self);
+        self.instructions().local_get(BLOCK).i32_const(bytes(numbers)).i32_add().local_set(BLOCK);
+        self.instructions().local_get(PAIR).i32_const(1).i32_add().local_tee(PAIR);
+        self.instructions().i32_const(pairs as i32).i32_lt_u().br_if(0).end();
+        self.instructions().local_get(BLOCK).i32_const(bytes(pairs * numbers)).i32_sub().local_set(BLOCK);
+        self.instructions().local_get(ROW).i32_const(bytes(row)).i32_add().local_set(ROW);
+        self.instructions().local_get(MADE).i32_const(1).i32_add().local_tee(MADE);
+        self.instructions().local_get(COUNT).i32_lt_u().br_if(0).end();
+    }
+
     /// The function `run`, which returns the number of steps or rows made.
     pub fn finish(mut self) -> wasm_encoder::Function {
         self.instructions().local_get(MADE).end();
-        let locals = [(FIRST_LOCAL - MADE, ValType::I32), (self.locals, ValType::F64)];
+        let value = match self.values {
+            Values::Numbers => ValType::F64,
+            Values::Pairs => ValType::V128,
+        };
+        let locals = [(FIRST_LOCAL - MADE, ValType::I32), (self.locals, value)];
         let mut run = wasm_encoder::Function::new(locals);
         run.raw(self.code);
         run
     }
-}
-
-/// Address of number `place`, relative to a base.
-fn at(place: usize) -> MemArg {
-    MemArg { offset: 8 * place as u64, align: 3, memory_index: 0 }
 }

@@ -8,7 +8,7 @@ use crate::grid::{Grid, WIDTH};
 use crate::reason::NoLanes;
 use crate::steps::Steps;
 use crate::width::{Features, Width};
-use engine::{Interpreted, Listing, ROUNDING, Routine, RunError, Setup, Stepper, WindowListing};
+use engine::{Interpreted, Listing, ROUNDING, Routine, RunError, Setup, Stepper, WindowListing, rows_until};
 use program::{Model, NodeId};
 use std::sync::Arc;
 
@@ -57,20 +57,8 @@ pub(crate) struct Times {
 
 impl Times {
     fn new(step: f64, until: f64) -> Self {
-        let last = until * (1.0 + ROUNDING);
-        let begun = until * (1.0 - ROUNDING);
-        let mut all = (begun / step).max(0.0) as u64;
-        while all > 0 && (all - 1) as f64 * step >= begun {
-            all -= 1;
-        }
-        while (all as f64) * step < begun {
-            all += 1;
-        }
-        let mut taken = all;
-        while taken > 0 && taken as f64 * step > last {
-            taken -= 1;
-        }
-        Self { step, until, last, taken, all }
+        let [taken, all] = rows_until(step, until);
+        Self { step, until, last: until * (1.0 + ROUNDING), taken, all }
     }
 
     /// Time of a row, SI units.

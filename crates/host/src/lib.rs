@@ -2,9 +2,9 @@
 //! elementary functions of that module directly, without JavaScript between.
 
 use emit::{Function, Plain};
-use engine::{Compiled, Interpreted, Listing};
+use engine::{Compiled, Interpreted, LanesListing, Listing, Setup, SideBySide};
 use js_sys::{Object, Reflect, Uint8Array, WebAssembly};
-use program::Interpolation;
+use program::{Interpolation, Model, NodeId};
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
@@ -38,7 +38,21 @@ pub enum Fallback {
 pub fn compile(listing: Result<Listing, Interpreted>) -> Result<Rc<dyn Compiled>, Fallback> {
     let listing = listing.map_err(Fallback::Interpreted)?;
     let module = emit::module(&listing).map_err(|error| Fallback::TooManyOperations(error.0))?;
-    let instance = Instance::new(&module, &listing.interpolations);
+    instance(&module, &listing.interpolations)
+}
+
+/// Compiles the steps of runs side by side.
+///
+/// # Errors
+/// The reason why there is no code for them.
+pub fn compile_side_by_side(listing: &LanesListing) -> Result<Rc<dyn Compiled>, Fallback> {
+    let module = emit::side_by_side(listing).map_err(|error| Fallback::TooManyOperations(error.0))?;
+    instance(&module, &listing.steps.interpolations)
+}
+
+/// Compiles a module in the browser.
+fn instance(module: &emit::Module, interpolations: &[Arc<Interpolation>]) -> Result<Rc<dyn Compiled>, Fallback> {
+    let instance = Instance::new(module, interpolations);
     instance
         .map(|instance| Rc::new(instance) as Rc<dyn Compiled>)
         .map_err(|error| Fallback::Refused(format!("{error:?}")))
@@ -73,6 +87,10 @@ impl engine::Compiler for Compiler {
         known.insert(0, entry);
         known.truncate(Self::KEPT);
         code
+    }
+
+    fn side_by_side(&self, model: &Model, setup: &Setup, nodes: &[NodeId]) -> Option<Box<dyn SideBySide>> {
+        engine::side_by_side(model, setup, nodes, |listing| compile_side_by_side(listing).ok())
     }
 }
 

@@ -1,7 +1,7 @@
 //! The equations of motion, ready to be run.
 
-use engine::{Compiler, Run, RunError, Setup};
-use program::Model;
+use engine::{Compiler, Run, RunError, Setup, SideBySide};
+use program::{Model, NodeId};
 use std::rc::Rc;
 
 /// A model with the compiler for its steps.
@@ -29,5 +29,11 @@ impl<'a> Motion<'a> {
             run.compile(compiler.as_ref());
         }
         Ok(run)
+    }
+
+    /// Runs side by side with this setup but other parameters, for which `nodes` are read at each row; `None` if they are made one by
+    /// one.
+    pub(crate) fn side_by_side(&self, setup: &Setup, nodes: &[NodeId]) -> Option<Box<dyn SideBySide>> {
+        self.compiler?.side_by_side(self.model, setup, nodes)
     }
 }

@@ -1,6 +1,7 @@
 //! Programs that tests and benchmarks run both natively and in WebAssembly: golden runs, whose bits must be equal
 //! everywhere, and steps, fits and checks of documents, whose speed is measured.
 
+mod beside;
 mod fits;
 mod golden;
 mod long;
@@ -8,6 +9,7 @@ mod pace;
 mod shipped;
 mod systems;
 
+pub use beside::SideBySideTubes;
 pub use fits::Fits;
 pub use golden::{fingerprint, golden};
 pub use long::{check, long_document};

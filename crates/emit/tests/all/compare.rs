@@ -1,8 +1,8 @@
 //! Comparison of an emitted run with an interpreted one.
 
 use crate::host::Instance;
-use engine::{Method, Run, Setup};
-use program::Model;
+use engine::{Method, Readings, Run, Setup, Stepper, side_by_side};
+use program::{Model, NodeId};
 use std::rc::Rc;
 
 /// Outcome of a comparison without differences.
@@ -29,7 +29,67 @@ pub fn compare_text(text: &str) -> usize {
             Compared::Rows(rows) => rows,
             Compared::Interpreted(reason) => panic!("{reason}\n{text}"),
         });
-    rows.iter().sum()
+    let side_by_side = METHODS.map(|method| {
+        let setup = Setup { method, ..Setup::defaults(&checked.model) };
+        compare_side_by_side(&checked.model, &setup, 24).unwrap_or_default()
+    });
+    rows.iter().chain(&side_by_side).sum()
+}
+
+/// Compares `rows` rows of each of three runs side by side with single ones. Returns the number of rows; `None` if the runs are made
+/// one by one, or if there are no states. Panics at the first difference.
+pub fn compare_side_by_side(model: &Model, setup: &Setup, rows: usize) -> Option<usize> {
+    let nodes: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
+    if nodes.is_empty() {
+        return None;
+    }
+    let mut lanes = side_by_side(model, setup, &nodes, |listing| {
+        let module = emit::side_by_side(listing).ok()?;
+        Some(Rc::new(Instance::side_by_side(&module, listing)))
+    })?;
+    let with_parameters = |run: usize| {
+        let mut parameters = setup.parameters.clone();
+        parameters.iter_mut().take(1).for_each(|parameter| *parameter *= 1.0 + 0.01 * run as f64);
+        Setup { parameters, ..setup.clone() }
+    };
+    let setups: Vec<Setup> = (0..3).map(with_parameters).collect();
+    let mut singles = Vec::new();
+    for setup in &setups {
+        singles.push(Stepper::new(model, setup).ok()?);
+    }
+    let begun =
+        setups.iter().zip(&singles).map(|(setup, single)| [setup.parameters.clone(), single.initial().to_vec()]);
+    let until = rows as f64 * setup.step;
+    let mut found = vec![Vec::new(); 3];
+    let mut take = |run: usize, time: f64, values: &[f64]| found[run].push((time.to_bits(), bits(values)));
+    lanes.begin(&begun.collect::<Vec<_>>(), until, &mut take);
+    while !lanes.advance(&mut { 10_000 }, &mut take) {}
+    let mut compared = 0;
+    for (run, single) in singles.iter_mut().enumerate() {
+        let mut readings = Readings::new(model, &nodes);
+        let mut ends = true;
+        for (row, (time, values)) in found[run].iter().enumerate() {
+            if row > 0 && single.advance(|_, _, _| ()).is_err() {
+                ends = false;
+                break;
+            }
+            let expected = readings.at(&setups[run].parameters, single.initial(), single.time(), single.state());
+            assert_eq!((*time, values), (single.time().to_bits(), &bits(expected)), "run {run}");
+            compared += 1;
+        }
+        let last = lanes.end(run);
+        assert_eq!(last.is_some(), ends, "run {run}");
+        assert!(
+            last.is_none_or(|(time, state)| time == single.time() && bits(&state) == bits(single.state())),
+            "run {run}"
+        );
+    }
+    Some(compared)
+}
+
+/// Bits of numbers; those of all NaN are equal.
+fn bits(numbers: &[f64]) -> Vec<u64> {
+    numbers.iter().map(|number| if number.is_nan() { f64::NAN } else { *number }.to_bits()).collect()
 }
 
 /// Compares `rows` advances, of a row each or less; a parameter changes in the middle, and later the runs go back. Panics at

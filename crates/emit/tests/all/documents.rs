@@ -1,6 +1,6 @@
 //! The documents that ship, with their own method and with all others.
 
-use crate::compare::{Compared, compare};
+use crate::compare::{Compared, compare, compare_side_by_side};
 use engine::{Method, Setup};
 use std::path::PathBuf;
 
@@ -63,4 +63,36 @@ fn each_method_has_the_same_bits_in_emitted_code() {
     }
     let stiff = compare_document(text("utube.md"), Some(Method::Rosenbrock));
     assert_eq!(stiff, Compared::Interpreted("Method(Rosenbrock)".to_owned()));
+}
+
+#[test]
+fn runs_side_by_side_have_the_same_bits() {
+    let mut smooth = Vec::new();
+    for (name, text) in documents() {
+        let program = document::open(&text, &[]).document.expect("a document without errors").program;
+        let compared = |method: Method| {
+            println!("{name}, {method:?}");
+            compare_side_by_side(&program.model, &Setup { method, ..Setup::of(&program) }, ROWS)
+        };
+        let Some(rows) = compared(Method::RungeKutta4) else { continue };
+        for method in [Method::Euler, Method::EulerRichardson, Method::VelocityVerlet] {
+            assert!(compared(method).is_none_or(|of_method| of_method == rows));
+        }
+        assert_eq!(rows, 3 * (ROWS + 1));
+        smooth.push(name);
+    }
+    // All others have events or changes at fixed times, or no states.
+    let expected = [
+        "coupled-oscillators.md",
+        "linear-quadratic.md",
+        "linear.md",
+        "power-law.md",
+        "quadratic.md",
+        "rlc.md",
+        "saturating-spring.md",
+        "tube.md",
+        "utube.md",
+        "van-der-pol.md",
+    ];
+    assert_eq!(smooth, expected);
 }

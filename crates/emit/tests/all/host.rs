@@ -1,8 +1,10 @@
 //! A host that runs emitted modules.
 
 use emit::{Function, Module};
-use engine::{Compiled, Listing};
+use engine::{Compiled, LanesListing, Listing};
+use program::Interpolation;
 use std::cell::RefCell;
+use std::sync::Arc;
 use wasmi::{Caller, Engine, Func, FuncType, Linker, Memory, MemoryType, Store, TypedFunc, Val, ValType};
 
 /// An instance of an emitted module.
@@ -18,6 +20,16 @@ pub struct Instance {
 impl Instance {
     /// Compiles a module that was emitted for `listing`.
     pub fn new(module: &Module, listing: &Listing) -> Self {
+        let attempt = listing.window.as_ref().map_or(0, |window| window.layout.record(2));
+        Self::with_functions(module, &listing.interpolations, attempt)
+    }
+
+    /// Compiles a module that was emitted for runs side by side.
+    pub fn side_by_side(module: &Module, listing: &LanesListing) -> Self {
+        Self::with_functions(module, &listing.steps.interpolations, 0)
+    }
+
+    fn with_functions(module: &Module, interpolations: &[Arc<Interpolation>], attempt: usize) -> Self {
         let engine = Engine::default();
         let compiled = wasmi::Module::new(&engine, &module.bytes).expect("a valid module");
         let mut store = Store::new(&engine, ());
@@ -25,7 +37,7 @@ impl Instance {
         let mut linker = Linker::new(&engine);
         linker.define("block", "memory", memory).expect("one memory");
         for (number, function) in module.functions.iter().copied().enumerate() {
-            let interpolations = listing.interpolations.clone();
+            let interpolations = interpolations.to_vec();
             let call = move |_: Caller<'_, ()>, operands: &[Val], results: &mut [Val]| {
                 let mut numbers = [0.0; Function::MOST_OPERANDS];
                 for (number, operand) in numbers.iter_mut().zip(operands) {
@@ -40,7 +52,6 @@ impl Instance {
         }
         let instance = linker.instantiate_and_start(&mut store, &compiled).expect("all imports");
         let run = instance.get_typed_func(&store, "run").expect("a function `run`");
-        let attempt = listing.window.as_ref().map_or(0, |window| window.layout.record(2));
         Self { store: RefCell::new(store), memory, run, attempt }
     }
 }

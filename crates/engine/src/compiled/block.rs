@@ -22,6 +22,8 @@ struct Ahead {
     taken: usize,
     /// Number of rows.
     count: usize,
+    /// Evaluations of the right-hand side for a row.
+    stages: u64,
 }
 
 impl Block {
@@ -42,24 +44,26 @@ impl Block {
         to.copy_from_slice(self.states(self.layout.row(0)));
     }
 
-    /// Computes rows from grid point `index` on by a fixed-step method.
-    pub fn begin(&mut self, index: u64, step: f64, state: &[f64]) {
+    /// Computes rows from grid point `index` on by a fixed-step method with `stages` evaluations of the right-hand side.
+    pub fn begin(&mut self, stages: u64, index: u64, step: f64, state: &[f64]) {
         let rows = self.layout.rows as u32;
-        self.ahead = Ahead { index, taken: 0, count: self.run([index as f64, step, step], state, rows) };
+        let count = self.run([index as f64, step, step], state, rows);
+        self.ahead = Ahead { index, taken: 0, count, stages };
     }
 
-    /// Moves the state from grid point `index` to the next one, if that row is computed.
-    #[inline]
-    pub fn take_row(&mut self, index: u64, state: &mut [f64]) -> bool {
-        let Ahead { index: next, taken, count } = &mut self.ahead;
+    /// Moves the state from grid point `index` to the next one, if that row is computed, and returns the number of evaluations
+    /// of the right-hand side for it; 0 if there is none.
+    #[inline(always)]
+    pub fn take_row(&mut self, index: u64, state: &mut [f64]) -> u64 {
+        let Ahead { index: next, taken, count, stages } = &mut self.ahead;
         if *next != index || *taken >= *count {
-            return false;
+            return 0;
         }
         let first = self.layout.row(*taken);
         *next += 1;
         *taken += 1;
         copy(&self.numbers[first..first + self.layout.states], state);
-        true
+        *stages
     }
 
     /// Discards the rows that are computed.

@@ -1,12 +1,17 @@
 //! Steps in compiled form: code that is made outside of the engine, with the bits of the interpreter.
 
 pub(crate) mod block;
+pub(crate) mod lanes;
 pub(crate) mod layout;
 pub(crate) mod listing;
+pub(crate) mod side_by_side;
 pub(crate) mod window;
 pub(crate) mod window_layout;
 
+use crate::Setup;
 use listing::Listing;
+use program::{Model, NodeId};
+use side_by_side::SideBySide;
 use std::fmt::Debug;
 use std::rc::Rc;
 
@@ -25,6 +30,10 @@ pub trait Compiled: Debug {
 pub trait Compiler: Debug {
     /// Code for the steps of `listing`; `None` if they stay interpreted.
     fn compile(&self, listing: Listing) -> Option<Rc<dyn Compiled>>;
+
+    /// Runs side by side of `model` with this setup but other parameters; `nodes` are read at each row. `None` if they are made one by
+    /// one.
+    fn side_by_side(&self, model: &Model, setup: &Setup, nodes: &[NodeId]) -> Option<Box<dyn SideBySide>>;
 }
 
 /// Copies a state. A few numbers are moved one by one: a call that copies memory takes longer in WebAssembly.

@@ -183,7 +183,17 @@ impl Equations {
 
     /// Approximate number of floating-point operations of these evaluations.
     pub fn work_of(&self, taken: Taken) -> u64 {
-        taken.stages() * self.rates.work()
+        self.work_of_stages(taken.stages())
+    }
+
+    /// Approximate number of floating-point operations of so many evaluations.
+    pub fn work_of_stages(&self, stages: u64) -> u64 {
+        stages * self.rates.work()
+    }
+
+    /// Registers of f.
+    pub fn registers(&self) -> &[f64] {
+        self.rates.registers()
     }
 
     /// Makes one step of a fixed-step method with `stages` evaluations of f in compiled form. False if there is none.
@@ -195,21 +205,21 @@ impl Equations {
         true
     }
 
-    /// Moves the state from grid point `index` to the next one by a step of a fixed-step method with `stages` evaluations of f
-    /// that compiled code has made in advance. False if there is none.
-    #[inline]
-    pub fn take_row(&mut self, stages: u64, index: u64, state: &mut [f64]) -> bool {
+    /// Moves the state from grid point `index` to the next one by a step of a fixed-step method that compiled code has made in
+    /// advance. False if there is none.
+    #[inline(always)]
+    pub fn take_row(&mut self, index: u64, state: &mut [f64]) -> bool {
         let Some(block) = &mut self.compiled else { return false };
-        let taken = block.take_row(index, state);
-        self.evaluations += if taken { stages } else { 0 };
-        taken
+        let stages = block.take_row(index, state);
+        self.evaluations += stages;
+        stages > 0
     }
 
-    /// Makes steps of a fixed-step method from grid point `index` on in advance, if they are in compiled form. They end before
-    /// a state that is not finite.
-    pub fn begin_rows(&mut self, index: u64, step: f64, state: &[f64]) {
+    /// Makes steps of a fixed-step method with `stages` evaluations of f from grid point `index` on in advance, if they are in
+    /// compiled form. They end before a state that is not finite.
+    pub fn begin_rows(&mut self, stages: u64, index: u64, step: f64, state: &[f64]) {
         if let Some(block) = &mut self.compiled {
-            block.begin(index, step, state);
+            block.begin(stages, index, step, state);
         }
     }
 

@@ -10,7 +10,7 @@ mod outside;
 mod presses;
 
 pub use advance::Progress;
-pub use finish::ROUNDING;
+pub use finish::{ROUNDING, rows_until};
 pub(crate) use moment::{Moment, grid_index};
 pub use outside::Reached;
 use presses::Presses;

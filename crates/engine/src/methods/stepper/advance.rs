@@ -69,9 +69,12 @@ impl Stepper {
     /// As [`Stepper::advance`].
     pub fn advance_within(&mut self, work: u64, record: &mut impl Record) -> Result<Progress, RunError> {
         let target = (self.index + 1) as f64 * self.step;
+        if self.takes_known_row(target) {
+            record.row(target, &self.state, false);
+            return Ok(Progress::Row { events: 0 });
+        }
         if self.takes_row(target, work) {
             record.row(target, &self.state, false);
-            self.index += 1;
             return Ok(Progress::Row { events: std::mem::take(&mut self.row).events });
         }
         let arrived = self.try_until(target, work, record)?;
@@ -109,7 +112,7 @@ impl Stepper {
     }
 
     /// [`Stepper::advance_until`]; after an error every further call returns the same error.
-    fn try_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
+    fn try_until(&mut self, target: f64, work: u64, record: &mut dyn Record) -> Result<bool, RunError> {
         if let Some(error) = &self.stopped {
             return Err(error.clone());
         }
@@ -122,7 +125,7 @@ impl Stepper {
     }
 
     /// Advances towards `target`. True if it is reached.
-    fn advance_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
+    fn advance_until(&mut self, target: f64, work: u64, record: &mut dyn Record) -> Result<bool, RunError> {
         if self.counts {
             return self.count_until(target, work, record);
         }
@@ -137,7 +140,7 @@ impl Stepper {
     }
 
     /// Lets a press act, or makes one step towards the moment `target` (SI), which ends early at an event, a switch or the next press.
-    pub(super) fn advance_once(&mut self, target: f64, record: &mut impl Record) -> Result<(), RunError> {
+    pub(super) fn advance_once(&mut self, target: f64, record: &mut dyn Record) -> Result<(), RunError> {
         if self.press(record)? {
             return Ok(());
         }
@@ -246,7 +249,7 @@ impl Stepper {
     }
 
     /// Lets the next press act if it is due now. Its changes add a row. True if a press acted.
-    pub(super) fn press(&mut self, record: &mut impl Record) -> Result<bool, RunError> {
+    pub(super) fn press(&mut self, record: &mut dyn Record) -> Result<bool, RunError> {
         if self.presses.next().is_none_or(|next| next > self.time) {
             return Ok(false);
         }
@@ -257,7 +260,7 @@ impl Stepper {
     }
 
     /// Continues after a switch of the equations. If the rates jump, two rows are recorded, before and after it.
-    fn switch(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
+    fn switch(&mut self, early: Early, record: &mut dyn Record) -> Result<(), RunError> {
         let began = self.time;
         self.surfaces.approach(&mut self.equations, early.before);
         self.time = early.beyond;
@@ -286,7 +289,7 @@ impl Stepper {
     }
 
     /// Runs the actions of the located events.
-    fn jump(&mut self, early: Early, record: &mut impl Record) -> Result<(), RunError> {
+    fn jump(&mut self, early: Early, record: &mut dyn Record) -> Result<(), RunError> {
         self.time = early.before;
         self.state.copy_from_slice(self.surfaces.before());
         record.row(self.time, &self.state, false);
@@ -296,7 +299,7 @@ impl Stepper {
 
     /// Continues after events of which `fired` have acted, and runs those that become due by them. `resolution` is the
     /// shortest time in which the state changes.
-    pub(super) fn act(&mut self, mut fired: usize, resolution: f64, record: &mut impl Record) -> Result<(), RunError> {
+    pub(super) fn act(&mut self, mut fired: usize, resolution: f64, record: &mut dyn Record) -> Result<(), RunError> {
         self.on_grid = false;
         loop {
             self.row.events += fired;

@@ -7,18 +7,26 @@ use crate::compiled::listing::{Interpreted, Listing};
 use std::rc::Rc;
 
 impl Stepper {
-    /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or in advance and nothing can happen on
-    /// the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, if
-    /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.
-    #[inline]
-    pub(super) fn takes_row(&mut self, target: f64, work: u64) -> bool {
+    /// Moves to the next grid point, at the moment `target` (SI), if compiled code of a fixed-step method has computed its state in
+    /// advance, which it does only where nothing can happen on the way. The first of these rows is taken by [`Stepper::takes_row`], so
+    /// that no steps and events are counted since the row before.
+    #[inline(always)]
+    pub(super) fn takes_known_row(&mut self, target: f64) -> bool {
         // Rows are discarded where something could happen before them.
-        if let Solver::Fixed(method) = &self.solver
-            && self.equations.take_row(method.stages(), self.index, &mut self.state)
-        {
-            self.time = target;
-            return true;
+        if !self.equations.take_row(self.index, &mut self.state) {
+            return false;
         }
+        self.time = target;
+        self.index += 1;
+        true
+    }
+
+    /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or can be in advance and nothing can
+    /// happen on the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, if
+    /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.
+    // Not inlined: `advance_within` is compiled with each of its callers.
+    #[inline(never)]
+    pub(super) fn takes_row(&mut self, target: f64, work: u64) -> bool {
         if !self.on_grid || self.stopped.is_some() || self.counts || self.presses.next().is_some() {
             return false;
         }
@@ -30,10 +38,8 @@ impl Stepper {
             }
             _ if !self.surfaces.is_smooth() => return false,
             Solver::Fixed(method) => {
-                self.equations.begin_rows(self.index, self.step, &self.state);
-                if !self.equations.take_row(method.stages(), self.index, &mut self.state) {
-                    return false;
-                }
+                self.equations.begin_rows(method.stages(), self.index, self.step, &self.state);
+                return self.takes_known_row(target);
             }
             Solver::Adaptive(method) if target < method.end() => {
                 method.dense(target - method.start(), &mut self.state);
@@ -41,6 +47,7 @@ impl Stepper {
             Solver::Adaptive(_) => return false,
         }
         self.time = target;
+        self.index += 1;
         true
     }
 

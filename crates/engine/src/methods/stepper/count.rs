@@ -7,7 +7,7 @@ use crate::{AfterJump, Cause, Record, RunError};
 
 impl Stepper {
     /// Advances towards a count or a time between two counts. True if it is reached.
-    pub(super) fn count_until(&mut self, target: f64, work: u64, record: &mut impl Record) -> Result<bool, RunError> {
+    pub(super) fn count_until(&mut self, target: f64, work: u64, record: &mut dyn Record) -> Result<bool, RunError> {
         let begun = self.work();
         loop {
             if self.time < target && self.press(record)? {
@@ -27,7 +27,7 @@ impl Stepper {
     }
 
     /// Advances to the next count and runs its events.
-    fn count(&mut self, next: f64, record: &mut impl Record) -> Result<(), RunError> {
+    fn count(&mut self, next: f64, record: &mut dyn Record) -> Result<(), RunError> {
         // Only running sums of the model have rates.
         if let Solver::Fixed(method) = &mut self.solver {
             method.step(&mut self.equations, self.time, next - self.time, &self.state, &mut self.next);

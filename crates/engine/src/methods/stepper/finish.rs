@@ -7,6 +7,24 @@ use crate::{AfterJump, Record, RunError};
 /// run can be slightly after it.
 pub const ROUNDING: f64 = 1e-12;
 
+/// Numbers of the rows of a run up to `until`, at distances of `step` (SI units): of the last row at or before it, and of the last one
+/// that is computed to reach it.
+pub fn rows_until(step: f64, until: f64) -> [u64; 2] {
+    let (last, begun) = (until * (1.0 + ROUNDING), until * (1.0 - ROUNDING));
+    let mut all = (begun / step).max(0.0) as u64;
+    while all > 0 && (all - 1) as f64 * step >= begun {
+        all -= 1;
+    }
+    while (all as f64) * step < begun {
+        all += 1;
+    }
+    let mut taken = all;
+    while taken > 0 && taken as f64 * step > last {
+        taken -= 1;
+    }
+    [taken, all]
+}
+
 /// Rows of a trial that may be discarded.
 #[derive(Default)]
 struct Rows(Vec<(f64, Vec<f64>, bool, Option<AfterJump>)>);
@@ -29,7 +47,7 @@ impl Stepper {
     ///
     /// # Errors
     /// An event that ends the run. Other errors concern times after the end and are ignored.
-    pub fn finish(&mut self, end: f64, record: &mut impl Record) -> Result<(), RunError> {
+    pub fn finish(&mut self, end: f64, record: &mut dyn Record) -> Result<(), RunError> {
         if self.stopped.is_some() || (self.surfaces.events.is_empty() && self.presses.next().is_none()) {
             return Ok(());
         }

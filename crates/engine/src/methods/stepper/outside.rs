@@ -33,6 +33,19 @@ impl Stepper {
         Some((rates, self.surfaces.preparations(first)?))
     }
 
+    /// Registers of the right-hand side.
+    pub(crate) fn registers(&self) -> &[f64] {
+        self.equations.registers()
+    }
+
+    /// Approximate number of floating-point operations of a step of a fixed-step method; 0 for other methods.
+    pub(crate) fn work_of_step(&self) -> u64 {
+        match &self.solver {
+            Solver::Fixed(fixed) => self.equations.work_of_stages(fixed.stages()),
+            Solver::Adaptive(_) => 0,
+        }
+    }
+
     /// Settings of the step control of an adaptive method.
     pub fn step_control(&self) -> Option<StepControl> {
         match &self.solver {

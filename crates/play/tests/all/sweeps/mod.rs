@@ -1,7 +1,10 @@
 //! Expressions of what is taken of runs, over the values of a parameter: their values, units and what stands behind them.
 
+mod side_by_side;
+
 use crate::support::{open, set};
-use play::engine::{Compiled, Compiler, Listing};
+use play::engine::{Compiled, Compiler, Listing, Setup, SideBySide};
+use play::program::{Model, NodeId};
 use play::{Play, PlotId};
 use std::cell::Cell;
 use std::rc::Rc;
@@ -178,6 +181,10 @@ struct Counting(Cell<usize>);
 impl Compiler for Counting {
     fn compile(&self, _: Listing) -> Option<Rc<dyn Compiled>> {
         self.0.set(self.0.get() + 1);
+        None
+    }
+
+    fn side_by_side(&self, _: &Model, _: &Setup, _: &[NodeId]) -> Option<Box<dyn SideBySide>> {
         None
     }
 }

@@ -17,7 +17,7 @@ visit("a run pauses at the end that its document gives it, says so, and goes on"
   await lab.press("Play");
   await lab.button("Go on").waitFor();
   assert.equal(await lab.time(), 2);
-  assert.match(await lab.told(), /^The run ends at 2\.00\sd; press Play to continue$/);
+  assert.match(await lab.told(), /^The run ends at 2\.000\sd; press Play to continue$/);
   assert.equal(await lab.button("Play").count(), 1, "it stands still");
   // By the keyboard: the focus stays in the transport when the button is gone.
   await lab.button("Go on").focus();

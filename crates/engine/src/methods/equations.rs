@@ -196,6 +196,11 @@ impl Equations {
         self.rates.registers()
     }
 
+    /// True if there are steps of a fixed-step method in compiled form.
+    pub fn is_compiled(&self) -> bool {
+        self.compiled.is_some()
+    }
+
     /// Makes one step of a fixed-step method with `stages` evaluations of f in compiled form. False if there is none.
     #[inline]
     pub fn step_compiled(&mut self, stages: u64, time: f64, size: f64, from: &[f64], to: &mut [f64]) -> bool {

@@ -73,7 +73,7 @@ impl Stepper {
             record.row(target, &self.state, false);
             return Ok(Progress::Row { events: 0 });
         }
-        if self.takes_row(target, work) {
+        if self.may_take_rows() && self.takes_row(target, work) {
             record.row(target, &self.state, false);
             return Ok(Progress::Row { events: std::mem::take(&mut self.row).events });
         }

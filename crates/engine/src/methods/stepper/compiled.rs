@@ -21,6 +21,12 @@ impl Stepper {
         true
     }
 
+    /// True if [`Stepper::takes_row`] may take one: a fixed-step method that is interpreted makes each step for itself.
+    #[inline(always)]
+    pub(super) fn may_take_rows(&self) -> bool {
+        self.equations.is_compiled() || matches!(self.solver, Solver::Adaptive(_))
+    }
+
     /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or can be in advance and nothing can
     /// happen on the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, if
     /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.

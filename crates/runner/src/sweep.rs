@@ -103,7 +103,7 @@ pub fn use_threads(count: usize) {
     let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
 }
 
-/// What one thread needs. At its end its code becomes spare.
+/// Code and memory of one thread. At its end its code becomes spare.
 struct Worker<'a> {
     prepared: Option<Prepared>,
     code: &'a SweepCode,
@@ -193,7 +193,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// What is taken of the prepared runs, which are computed in lanes.
+    /// Values taken of the prepared runs, which are computed in lanes.
     fn together(&self, prepared: &mut Prepared, alone: &mut Alone) -> Vec<Result<Vec<f64>, RunError>> {
         let aggregates = &self.outcomes.aggregates;
         let Prepared { ensemble: Ok(ensemble), last, parameters, initial, .. } = prepared else { return Vec::new() };
@@ -208,7 +208,7 @@ impl<'a> Sweep<'a> {
         folds.iter().zip(parameters.iter()).enumerate().map(taken).collect()
     }
 
-    /// What is taken of one of the prepared runs.
+    /// Values taken of one of the prepared runs.
     fn single(&self, prepared: &mut Prepared, run: usize) -> Result<Vec<f64>, RunError> {
         let aggregates = &self.outcomes.aggregates;
         let parameters = prepared.parameters[run].clone();

@@ -49,7 +49,7 @@ fn a_store_is_exported_backed_up_erased_and_restored() {
     let texts = || {
         let entries = std::fs::read_dir(out).unwrap().map(|entry| entry.unwrap().path());
         let mut texts: Vec<String> = entries.map(|path| std::fs::read_to_string(path).unwrap()).collect();
-        // Those of one moment would be in the order of their senders' names, which are drawn.
+        // Parts of one moment would be in the order of their senders' names, which are drawn.
         texts.sort_by_key(|text| ["# first", "# second"].iter().position(|part| text.contains(part)).unwrap_or(2));
         std::fs::remove_dir_all(out).unwrap();
         texts

@@ -25,7 +25,7 @@ const FASTER: u64 = 8;
 pub struct LanesListing {
     /// The steps. Its own layout is that of a single run.
     pub steps: Listing,
-    /// What is read at each row; its interpolations follow those of the steps in the list that both share.
+    /// Formulas that are read at each row; their interpolations follow those of the steps in the list that both share.
     pub readings: Formulas,
     /// The block of a pair of runs.
     pub layout: LanesLayout,

@@ -176,11 +176,6 @@ impl Equations {
         self.evaluations += taken.stages();
     }
 
-    /// Approximate number of floating-point operations of an evaluation.
-    pub fn evaluation_work(&self) -> u64 {
-        self.rates.work()
-    }
-
     /// Approximate number of floating-point operations of these evaluations.
     pub fn work_of(&self, taken: Taken) -> u64 {
         self.work_of_stages(taken.stages())

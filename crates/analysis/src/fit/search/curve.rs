@@ -57,7 +57,7 @@ pub(crate) struct Curve {
     zeros: Vec<f64>,
     values: Vec<f64>,
     row: Vec<f64>,
-    /// What a solver of several solutions is made from; `None` for a formula.
+    /// Model, setup and readings from which a solver of several solutions is made; `None` for a formula.
     extended: Option<Rc<Extended>>,
     lanes: Option<Rc<RefCell<dyn Lanes>>>,
     /// Error tolerance of integrations.

@@ -209,13 +209,17 @@ impl Problem {
 
     /// Parameters and times of the solution for a record.
     fn sought(&self, (record, plan): (usize, &Plan), x: &[f64]) -> Sought {
-        let origin = self.origin(record, plan, x);
-        // With a varied origin, the system is at rest before it.
-        let times = plan.times.iter().map(|time| (time - origin).max(self.earliest())).collect();
+        let times = self.times(plan, self.origin(record, plan, x)).collect();
         Sought { parameters: self.parameters(record, x), times }
     }
 
-    /// First time at which the curve is known, SI.
+    /// Times of the rows of a record from its origin on, SI.
+    fn times<'p>(&self, plan: &'p Plan, origin: f64) -> impl Iterator<Item = f64> + use<'p> {
+        let earliest = self.earliest();
+        plan.times.iter().map(move |time| (time - origin).max(earliest))
+    }
+
+    /// First time at which the curve is known, SI. With a varied origin, the system is at rest before it.
     fn earliest(&self) -> f64 {
         if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY }
     }
@@ -290,10 +294,9 @@ impl Problem {
         let stride = self.curve.stride();
         let parameters = self.parameters(record, x);
         let origin = self.origin(record, plan, x);
-        // With a varied origin, the system is at rest before it.
-        let earliest = self.earliest();
+        let (times, earliest) = (self.times(plan, origin), self.earliest());
         self.clock.clear();
-        self.clock.extend(plan.times.iter().map(|time| (time - origin).max(earliest)));
+        self.clock.extend(times);
         let rows = self.clock.len();
         let known = self.curve.follow(&parameters, &self.clock);
         let points = &plan.points[..plan.points.partition_point(|point| point.row < known)];

@@ -56,7 +56,7 @@ impl Stepper {
 
     /// Approximate number of floating-point operations of an evaluation of the right-hand side.
     pub fn evaluation_work(&self) -> u64 {
-        self.equations.evaluation_work()
+        self.equations.work_of_stages(1)
     }
 
     /// Continues the run begun with [`Stepper::begin`] at a later moment, with the bits of a run that has come there by itself.

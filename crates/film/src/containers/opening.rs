@@ -15,23 +15,7 @@ const SIGNATURE: u64 = 512;
 /// Size of the first request in bytes. Small films are read completely by it.
 const FIRST: u64 = 64 << 10;
 
-/// State of opening a film.
-///
-/// ```
-/// use film::containers::Opening;
-/// let file = b"GIF89a and so on";
-/// let mut opening = Opening::new(file.len() as u64);
-/// let result = loop {
-///     match opening {
-///         Opening::Needs(request) => {
-///             let range = request.range();
-///             opening = request.supply(file[range.start as usize..range.end as usize].to_vec());
-///         }
-///         Opening::Done(result) => break result,
-///     }
-/// };
-/// assert_eq!(result, Err(film::containers::FilmError::Gif));
-/// ```
+/// State of opening a film: as long as it needs bytes, the caller supplies them and gets the next state.
 #[derive(Debug)]
 pub enum Opening {
     /// More bytes of the file are needed.

@@ -1,15 +1,19 @@
 //! Prints how many times as fast fits of the linear equation of motion are with solutions side by side as one after the other, on one
 //! thread: of eight records, `fit-records 2.3`, and the profiles of all numbers of one, `fit-profiles 3.4`.
 
-use analysis::fit::{Fit, Observation, Record, Task, Varied, profiles};
+#[path = "../tests/support/records.rs"]
+mod records;
+
+use analysis::fit::{Fit, Task, profiles};
 use document::Document;
+use records::task;
 use runner::fitting::lanes;
 use std::hint::black_box;
 use std::time::Instant;
 
 const ROUNDS: usize = 5;
 const RECORDS: usize = 8;
-/// Frames of a record, 30 in a second.
+/// Frames of the first record, 30 in a second.
 const FRAMES: usize = 207;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -18,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let opened = document::open(include_str!("../../../simulations/theories/linear.md"), &[]);
     let document = opened.document.ok_or("the document has errors")?;
     for (name, records) in [("fit-records", RECORDS), ("fit-profiles", 1)] {
-        let task = task(&document, records)?;
+        let task = task(&document, records, FRAMES)?;
         let mut times = [f64::INFINITY; 2];
         for _ in 0..ROUNDS {
             for (side_by_side, least) in [false, true].into_iter().zip(&mut times) {
@@ -29,31 +33,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{name} {:.2}", alone / together);
     }
     Ok(())
-}
-
-/// Damped oscillations with errors of 0.1 mm. Each record has initial values and a length of its own; the damping is that of all.
-fn task(document: &Document, records: usize) -> Result<Task, String> {
-    let model = &document.program.model;
-    let observed = model.lookup("y", 0).ok_or("the document has no y")?;
-    let record = |number: usize| {
-        let times: Vec<f64> = (0..FRAMES).map(|row| row as f64 / 30.0).collect();
-        let level = |(row, time): (usize, &f64)| {
-            let error = 1e-4 * libm::sin((37 * row * row + 11 * number) as f64);
-            0.05 * libm::exp(-0.4 * time) * libm::cos((9.6 + 0.1 * number as f64) * time) + error
-        };
-        let values = times.iter().enumerate().map(level).collect();
-        let name = "y".to_owned();
-        let observation =
-            Observation { name, observed: observed.clone(), times, values, errors: None, derived_from: None };
-        Record { name: format!("record {number}"), observations: vec![observation], ..Record::default() }
-    };
-    let vary = |&index: &usize| Varied { shared: model.parameters[index].name == "gamma", ..Varied::parameter(index) };
-    Ok(Task {
-        parameters: model.parameters.iter().map(|parameter| parameter.value).collect(),
-        records: (0..records).map(record).collect(),
-        varied: document.program.vary.iter().map(vary).collect(),
-        ..Task::default()
-    })
 }
 
 /// Duration of a fit of several records, or of the profiles of a fitted record, s.

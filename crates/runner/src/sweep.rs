@@ -35,7 +35,7 @@ pub struct SweepCode {
     spare: Mutex<Vec<Prepared>>,
 }
 
-/// Code and memory of the runs of one thread.
+/// Code and memory of runs that one thread computes side by side.
 #[derive(Clone, Debug)]
 struct Prepared {
     /// Runs in lanes, or why there are none.
@@ -74,6 +74,18 @@ impl SweepCode {
         self.prepared.ensemble.as_ref().err()
     }
 
+    /// A copy of `prepared`, if possible one that has made runs.
+    fn take(&self) -> Prepared {
+        let spare = self.spare.lock().ok().and_then(|mut spare| spare.pop());
+        spare.unwrap_or_else(|| self.prepared.clone())
+    }
+
+    fn give_back(&self, prepared: Prepared) {
+        if let Ok(mut spare) = self.spare.lock() {
+            spare.push(prepared);
+        }
+    }
+
     /// The same, but the runs are computed one by one.
     #[must_use]
     pub fn one_by_one(self) -> Self {
@@ -103,27 +115,6 @@ pub fn use_threads(count: usize) {
     let _ = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
 }
 
-/// Code and memory of one thread. At its end its code becomes spare.
-struct Worker<'a> {
-    prepared: Option<Prepared>,
-    code: &'a SweepCode,
-    alone: Alone<'a>,
-}
-
-impl Worker<'_> {
-    fn prepared(&self) -> &Prepared {
-        self.prepared.as_ref().unwrap_or(&self.code.prepared)
-    }
-}
-
-impl Drop for Worker<'_> {
-    fn drop(&mut self) {
-        if let (Ok(mut spare), Some(prepared)) = (self.code.spare.lock(), self.prepared.take()) {
-            spare.push(prepared);
-        }
-    }
-}
-
 impl<'a> Sweep<'a> {
     /// Smallest number of runs that one thread computes side by side.
     pub const LEAST: u64 = 8;
@@ -142,44 +133,42 @@ impl<'a> Sweep<'a> {
     /// Computes some runs on all processors and returns them in their order.
     pub fn compute(&self, runs: Range<u64>) -> Vec<Outcome> {
         let count = runs.end - runs.start;
-        let mut first = self.worker();
-        let together = match &first.prepared().ensemble {
-            Ok(ensemble) if count <= ensemble.lanes() as u64 && (1..=SMALL).contains(&ensemble.work()) => {
-                return self.block(&mut first, runs);
-            }
+        let alone = || Alone::new(self.model, self.setup, &self.code.nodes);
+        // One that has made runs knows their work.
+        let prepared = self.code.take();
+        let (together, small) = match &prepared.ensemble {
             Ok(ensemble) => {
+                let lanes = ensemble.lanes() as u64;
                 let share = count.div_ceil(threads() as u64).next_multiple_of(Self::LEAST);
-                share.clamp(Self::LEAST, ensemble.lanes() as u64)
+                (share.clamp(Self::LEAST, lanes), count <= lanes && (1..=SMALL).contains(&ensemble.work()))
             }
-            Err(_) => 1,
+            Err(_) => (1, false),
         };
-        drop(first);
+        self.code.give_back(prepared);
+        if small {
+            return self.block(&mut alone(), runs);
+        }
         let blocks = count.div_ceil(together);
-        let block = |worker: &mut Worker, block: u64| {
+        let block = |alone: &mut Alone, block: u64| {
             let first = runs.start + block * together;
-            self.block(worker, first..runs.end.min(first + together))
+            self.block(alone, first..runs.end.min(first + together))
         };
-        (0..blocks).into_par_iter().map_init(|| self.worker(), block).flatten_iter().collect()
-    }
-
-    fn worker(&self) -> Worker<'_> {
-        let spare = self.code.spare.lock().ok().and_then(|mut spare| spare.pop());
-        let prepared = Some(spare.unwrap_or_else(|| self.code.prepared.clone()));
-        Worker { prepared, code: self.code, alone: Alone::new(self.model, self.setup, &self.code.nodes) }
+        (0..blocks).into_par_iter().map_init(alone, block).flatten_iter().collect()
     }
 
     /// Computes some runs side by side.
-    fn block(&self, worker: &mut Worker, runs: Range<u64>) -> Vec<Outcome> {
+    fn block(&self, alone: &mut Alone, runs: Range<u64>) -> Vec<Outcome> {
         let axes: Vec<Vec<f64>> = runs.clone().map(|run| self.plan.values(run)).collect();
-        let Worker { prepared: Some(prepared), alone, .. } = worker else { return Vec::new() };
+        let mut prepared = self.code.take();
         prepared.parameters.resize(axes.len(), Vec::new());
         for (parameters, axes) in prepared.parameters.iter_mut().zip(&axes) {
             self.set_parameters(axes, parameters);
         }
         let taken = match &prepared.ensemble {
-            Ok(_) => self.together(prepared, alone),
-            Err(_) => (0..axes.len()).map(|run| self.single(prepared, run)).collect(),
+            Ok(_) => self.together(&mut prepared, alone),
+            Err(_) => (0..axes.len()).map(|run| self.single(&mut prepared, run)).collect(),
         };
+        self.code.give_back(prepared);
         runs.zip(axes).zip(taken).map(|((run, axes), taken)| Outcome { run, axes, taken }).collect()
     }
 

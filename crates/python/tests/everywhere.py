@@ -88,10 +88,10 @@ def sweeps():
 
 def fits(scratch):
     damped = meniscus.open(DAMPED)
-    run = damped.run(gamma=0.7, omega=12, x_0=4)
+    run = damped.run(gamma=0.7, omega=12, x_0=4, columns="t, x")
     # Errors that look random and are the same everywhere.
-    measured = [x + 0.02 * math.fmod(7919 * place, 101) / 101 for place, x in enumerate(run["x"])]
-    record = {"t [s]": list(run["t"]), "x [cm]": measured}
+    measured = [x + 0.02 * math.fmod(7919 * place, 101) / 101 for place, x in enumerate(run["x"].tolist())]
+    record = {"t [s]": run["t"].tolist(), "x [cm]": measured}
     yield "fit", fitted(damped.fit(record, "x"))
     yield "profile", fitted(damped.fit(record, "x", fix={"omega": 12}, bounds={"gamma": (0.1, None)}, profile=True))
     yield "several", fitted(damped.fit([record, run], {"x": "x"}, share="gamma, omega", loss="huber", until="1.5 s"))
@@ -108,7 +108,7 @@ def pickles():
     damped = meniscus.open(DAMPED)
     table = damped.run()
     assert again(damped) == damped and told(again(table)) == told(table)
-    fit = damped.fit(table, "x")
+    fit = damped.fit(damped.run(columns=["t", "x"]), "x")
     assert fitted(again(fit)) == fitted(fit)
     yield "pickled", told(again(damped).run())
 

@@ -23,7 +23,7 @@ pub fn wheel(compiled: &Path) -> Result<PathBuf> {
         ("meniscus/player.html", steps::player()),
     ];
     let mut files = wheel::files(&fs::read(compiled)?)?;
-    files.retain(|file| !file.name.starts_with("meniscus/_core.") && !file.name.contains("/sboms/"));
+    files.retain(|file| !file.name.starts_with("meniscus/_core.") || file.name.ends_with(".pyi"));
     let first = files.first().context("the compiled wheel is empty")?.clone();
     for (name, path) in added {
         let content = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;

@@ -1,6 +1,6 @@
 //! What the Python packages ask of `runner`, independent of how Python reaches it: a request is a name, a text of JSON and arrays
 //! of numbers, and so is its reply. Numbers of tables never become text. The JSON is that of the Python sources in
-//! `crates/python/meniscus`, which alone write requests and read replies.
+//! `crates/python/python/meniscus`, which alone write requests and read replies.
 
 mod arguments;
 mod calls;

@@ -10,11 +10,22 @@ from .errors import Diagnostic, DocumentError, MeniscusError, RunError, SettingE
 from .fit import Estimate, Fit
 from .table import Table
 
-_classes = [Diagnostic, Document, DocumentError, Estimate, Fit, MeniscusError, RunError, SettingError, Table]
-_functions = [check, open, rank]
-
-__all__ = ["__version__", *(public.__name__ for public in _classes + _functions)]
+__all__ = [
+    "Diagnostic",
+    "Document",
+    "DocumentError",
+    "Estimate",
+    "Fit",
+    "MeniscusError",
+    "RunError",
+    "SettingError",
+    "Table",
+    "__version__",
+    "check",
+    "open",
+    "rank",
+]
 
 # Messages and pickles name the package, not its files.
-for _public in _classes + _functions:
+for _public in [Diagnostic, Document, DocumentError, Estimate, Fit, MeniscusError, RunError, SettingError, Table, check, open, rank]:
     _public.__module__ = __name__

@@ -38,6 +38,11 @@ class Document:
 
     __slots__ = ("__weakref__", "_opened", "_parameters", "_texts", "_title")
 
+    _opened: _core.Opened
+    _parameters: list[tuple[str, float | str, str]]
+    _texts: list[tuple[str, str]]
+    _title: str
+
     def __init__(self, texts: Texts) -> None:
         """Opens texts with their names, the document first, then its translations. `open` is more convenient."""
         key = tuple((name, text) for name, text in texts)
@@ -53,9 +58,10 @@ class Document:
     def _open(self, source: dict[str, Any]) -> None:
         opened, reply = _core.open_document(json.dumps(source))
         value = answer(reply)
+        assert opened is not None
         self._opened = opened
         self._title = value["title"]
-        self._texts = [tuple(text) for text in value["texts"]]
+        self._texts = [(name, text) for name, text in value["texts"]]
         self._parameters = value["parameters"]
 
     def __reduce__(self) -> Any:
@@ -211,7 +217,7 @@ class Document:
             "profile": profile,
         }
         value, buffers = asked("fit", [self._opened], request, arrays)
-        return fit(value, iter(buffers))
+        return fit(value, buffers)
 
 
 def open(document: str | PathLike[str], *, translations: Sequence[str] = ()) -> Document:
@@ -269,5 +275,4 @@ def rank(
         "predict_from": None if predict_from is None else text(predict_from),
     }
     value, buffers = asked("rank", [document._opened for document in documents], request, arrays)
-    remaining = iter(buffers)
-    return [fit(one, remaining) for one in value]
+    return [fit(one, buffers) for one in value]

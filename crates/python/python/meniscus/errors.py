@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from . import _core
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator, Sequence
     from typing import Literal
 
 
@@ -89,10 +89,10 @@ def answer(reply: str) -> Any:
     return value
 
 
-def asked(name: str, documents: list[_core.Opened], request: object, numbers: Iterable[bytes] = ()) -> tuple[Any, Iterable[bytes]]:
+def asked(name: str, documents: list[_core.Opened], request: object, numbers: Sequence[bytes] = ()) -> tuple[Any, Iterator[bytes]]:
     """Answer of the compiled part, and the bytes of its arrays."""
     reply, buffers = _core.call(name, documents, json.dumps(request), numbers)
-    return answer(reply), buffers
+    return answer(reply), iter(buffers)
 
 
 def diagnostics(found: Iterable[dict[str, Any]]) -> list[Diagnostic]:

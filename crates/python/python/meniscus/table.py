@@ -133,6 +133,6 @@ def filled(columns: Iterable[Column], buffers: Iterator[bytes]) -> list[Column]:
     return [(*column[:4], column[4] if column[3] == "texts" else next(buffers)) for column in columns]
 
 
-def table(value: Any, buffers: Iterable[bytes]) -> Table:
+def table(value: Any, buffers: Iterator[bytes]) -> Table:
     """The table in a reply."""
-    return Table(filled(value["columns"], iter(buffers)), diagnostics(value["notices"]), value["ended"])
+    return Table(filled(value["columns"], buffers), diagnostics(value["notices"]), value["ended"])

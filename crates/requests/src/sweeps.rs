@@ -30,7 +30,13 @@ struct Request<'a> {
     halton: Option<u64>,
     seed: u64,
     /// Number of the share from 1, and number of shares.
+    #[serde(default = "whole")]
     shard: (u64, u64),
+}
+
+/// The share that is all runs.
+fn whole() -> (u64, u64) {
+    (1, 1)
 }
 
 /// Computes a sweep and returns its table.

@@ -170,17 +170,19 @@ class Document:
         of a run that could not be computed are NaN; ``notices`` of the table says why.
         """
         arrays: list[bytes] = []
-        request = {
+        request: dict[str, Any] = {
             "prepare": {
                 "over": axes(over, arrays),
                 "keep": names(keep),
                 "settings": settings(until, set, start, preset, press, draw, method, step, tolerance, seat, parameters),
             },
-            "random": None if random is None else operator.index(random),
-            "halton": None if halton is None else operator.index(halton),
             "seed": operator.index(seed),
-            "shard": (1, 1) if shard is None else shard,
         }
+        for name, samples in [("random", random), ("halton", halton)]:
+            if samples is not None:
+                request[name] = operator.index(samples)
+        if shard is not None:
+            request["shard"] = [operator.index(part) for part in shard]
         return table(*asked("sweep", [self._opened], request, arrays))
 
     def fit(
@@ -214,7 +216,7 @@ class Document:
         request = {
             "data": records(data, arrays),
             "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat),
-            "profile": profile,
+            "profile": bool(profile),
         }
         value, buffers = asked("fit", [self._opened], request, arrays)
         return fit(value, buffers)

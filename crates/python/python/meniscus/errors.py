@@ -89,9 +89,13 @@ def answer(reply: str) -> Any:
     return value
 
 
+# Without a look for circles, which requests do not have, and made once: a call of a short sweep takes 40 µs.
+_written = json.JSONEncoder(check_circular=False).encode
+
+
 def asked(name: str, documents: list[_core.Opened], request: object, numbers: Sequence[bytes] = ()) -> tuple[Any, Iterator[bytes]]:
     """Answer of the compiled part, and the bytes of its arrays."""
-    reply, buffers = _core.call(name, documents, json.dumps(request), numbers)
+    reply, buffers = _core.call(name, documents, _written(request), numbers)
     return answer(reply), iter(buffers)
 
 

@@ -72,7 +72,7 @@ fn numbers_and_truths_of_a_run_are_arrays() {
 fn a_sweep_takes_its_values_from_an_array() {
     let over = json!([{ "numbers": ["g", 0] }]);
     let prepare = json!({ "over": over, "keep": ["y at end"], "settings": { "until": "1 s" } });
-    let request = json!({ "prepare": prepare, "random": null, "halton": null, "seed": 1, "shard": [1, 1] });
+    let request = json!({ "prepare": prepare, "seed": 1 });
     let (answer, buffers) = asked("sweep", &request, &[vec![0.0, 4.0]]);
     assert_eq!(answer["columns"][2], json!(["y at end", "m", "", "numbers", null]));
     let expected = [vec![1.0, 2.0], vec![0.0, 4.0], vec![2.0, 0.0]];

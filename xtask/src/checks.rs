@@ -34,7 +34,8 @@ pub fn full() -> Result<()> {
 }
 
 /// Tests of the workspace: one selection of packages for all steps, since another one would give them other features.
-const WORKSPACE: [&str; 8] = ["test", "--workspace", "--exclude", "lab", "--exclude", "python", "--exclude", "xtask"];
+const WORKSPACE: [&str; 10] =
+    ["test", "--workspace", "--exclude", "lab", "--exclude", "python", "--exclude", "pyodide", "--exclude", "xtask"];
 
 fn tests() -> Result<()> {
     // Tested separately, as it was built to run this: in a common build its dependencies would get other features and
@@ -55,7 +56,7 @@ fn lints() -> Result<()> {
     const STRICT: [&str; 3] = ["--", "-D", "warnings"];
     run(cargo(&["clippy", "--all-targets"]).args(STRICT))?;
     run(cargo(&["clippy", "--package", "python"]).args(STRICT))?;
-    let browser = ["clippy", "--package", "lab", "--package", "probe"];
+    let browser = ["clippy", "--package", "lab", "--package", "probe", "--package", "pyodide"];
     run(cargo(&browser).args(["--target", tools::TARGET]).args(STRICT))
 }
 

@@ -5,6 +5,7 @@ mod checks;
 mod editor;
 mod golden;
 mod page;
+mod pyodide;
 mod python;
 mod ratios;
 mod steps;
@@ -22,7 +23,7 @@ cargo xtask lab     build the page and open the laboratory in the browser; `lab 
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
                     also the long ones: the class server under load and killed, the Python package
-cargo xtask python  build the Python package, target/python/wheel, and test it
+cargo xtask python  build the Python package, target/python/wheel, and the one for Pyodide, and test both
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
                     a fifth below those of xtask/ratios.txt; `bench commit` writes that file; `bench emitted` measures

@@ -2,7 +2,7 @@
 
 use crate::page;
 use crate::steps::{self, run};
-use crate::tools;
+use crate::{pyodide, tools, wheel};
 use anyhow::{Context, Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,15 +18,19 @@ pub fn test() -> Result<()> {
         page::build()?;
     }
     tools::packages(&steps::root().join("tests").join("page"))?;
+    pyodide::packages()?;
     let package = steps::root().join("crates").join("python");
     let folder = steps::target().join("python");
     let environment = environment(&folder, &package.join("requirements.txt"))?;
     let python = program(&environment, "python");
     let wheel = wheel(&program(&environment, "maturin"), &package, &folder.join("wheel"))?;
-    let size = fs::metadata(&wheel)?.len();
-    println!("{}: {size} bytes", wheel.display());
-    if size > LARGEST {
-        bail!("the wheel is larger than {LARGEST} bytes");
+    let for_browsers = pyodide::wheel(&wheel)?;
+    for wheel in [&wheel, &for_browsers] {
+        let size = fs::metadata(wheel)?.len();
+        println!("{}: {size} bytes", wheel.display());
+        if size > LARGEST {
+            bail!("the wheel is larger than {LARGEST} bytes");
+        }
     }
     let install = ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps"];
     run(Command::new(&python).args(install).arg(&wheel))?;
@@ -39,6 +43,7 @@ pub fn test() -> Result<()> {
         .args(tests)
         .current_dir(package)
         .env("MENISCUS", program)
+        .env("PYODIDE_WHEEL", for_browsers)
         .env(tools::CHROMIUM.variable, browser))
 }
 
@@ -67,10 +72,9 @@ fn wheel(maturin: &Path, package: &Path, folder: &Path) -> Result<PathBuf> {
     if folder.exists() {
         fs::remove_dir_all(folder)?;
     }
-    run(Command::new(maturin).args(["build", "--compression-level", "9", "--out"]).arg(folder).current_dir(package))?;
+    run(Command::new(maturin).args(["build", "--out"]).arg(folder).current_dir(package))?;
     let wheel = fs::read_dir(folder)?.next().context("maturin has built no wheel")??.path();
-    let packed =
-        crate::wheel::repacked(&fs::read(&wheel)?).with_context(|| format!("cannot repack {}", wheel.display()))?;
-    fs::write(&wheel, packed)?;
+    let packed = wheel::files(&fs::read(&wheel)?).and_then(|files| wheel::archive(&files));
+    fs::write(&wheel, packed.with_context(|| format!("cannot repack {}", wheel.display()))?)?;
     Ok(wheel)
 }

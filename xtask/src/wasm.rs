@@ -29,6 +29,12 @@ pub fn build() -> Result<()> {
     steps::run(&mut build)
 }
 
+/// Builds the module of one package, which shares no features with the others.
+pub fn build_one(package: &str) -> Result<()> {
+    tools::wasm_target()?;
+    steps::run(&mut steps::cargo(&["build", "--target", TARGET, "--profile", "page", "--package", package]))
+}
+
 /// Path of the module of a package, which includes the names of its functions.
 pub fn module(package: &str) -> PathBuf {
     steps::target().join(TARGET).join("page").join(format!("{package}.wasm"))

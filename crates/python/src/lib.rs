@@ -1,39 +1,20 @@
-//! The Python package `meniscus`: documents, tables and fits as Python objects, on top of `runner`. The work is done without the
-//! lock of the interpreter.
+//! The compiled part of the Python package, `meniscus._core`: the requests of `crates/requests`, and Arrow's C interface. The
+//! classes are in the Python sources, `meniscus`. All work is done without the lock of the interpreter.
 
-mod arguments;
 mod arrow;
-mod column;
-mod diagnostic;
-mod disk;
-mod document;
-mod errors;
-mod fit;
-mod fitting;
-mod keywords;
-mod page;
-mod ranking;
-mod settings;
-mod sweeps;
-mod table;
+mod surroundings;
 
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyBytes;
+use requests::{Buffer, Reply};
+use surroundings::Surroundings;
 
-/// Simulations of oscillations from text documents: runs, sweeps and fits with units.
+/// The compiled part of the package `meniscus`.
 #[pymodule]
-mod meniscus {
+mod _core {
     #[pymodule_export]
-    use crate::diagnostic::Diagnostic;
-    #[pymodule_export]
-    use crate::document::{Document, check, open};
-    #[pymodule_export]
-    use crate::errors::{DocumentError, MeniscusError, RunError, SettingError};
-    #[pymodule_export]
-    use crate::fit::{Estimate, Fit};
-    #[pymodule_export]
-    use crate::ranking::rank;
-    #[pymodule_export]
-    use crate::table::Table;
+    use super::{Opened, arrow_stream, call, open_document};
 
     use super::*;
 
@@ -41,4 +22,46 @@ mod meniscus {
     fn initialise(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
+}
+
+/// An opened document.
+#[pyclass(module = "meniscus._core", frozen)]
+#[derive(Debug)]
+struct Opened(requests::Opened);
+
+/// The opened document, or `None`, and the reply.
+#[pyfunction]
+fn open_document(py: Python<'_>, request: &str) -> PyResult<(Option<Opened>, String)> {
+    let surroundings = Surroundings::default();
+    let (opened, reply) = py.detach(|| requests::open(&surroundings, request));
+    surroundings.ended()?;
+    Ok((opened.map(Opened), reply.json))
+}
+
+/// The reply to a request: JSON, and the bytes of its arrays. `numbers`: arrays of numbers of 8 bytes, in the order of the machine.
+#[pyfunction]
+fn call<'py>(
+    py: Python<'py>,
+    name: &str,
+    documents: Vec<Py<Opened>>,
+    request: &str,
+    numbers: Vec<PyBackedBytes>,
+) -> PyResult<(String, Vec<Bound<'py, PyBytes>>)> {
+    let surroundings = Surroundings::default();
+    let documents: Vec<&requests::Opened> = documents.iter().map(|document| &document.get().0).collect();
+    let array = |bytes: &PyBackedBytes| bytes.as_chunks().0.iter().map(|number| f64::from_ne_bytes(*number)).collect();
+    let numbers: Vec<Vec<f64>> = numbers.iter().map(array).collect();
+    let Reply { json, buffers } = py.detach(|| requests::call(&surroundings, name, &documents, request, &numbers));
+    surroundings.ended()?;
+    let buffers = buffers.iter().map(|buffer| match buffer {
+        Buffer::Numbers(numbers) => PyBytes::new(py, arrow::bytes(numbers)),
+        Buffer::Truths(truths) => PyBytes::new(py, truths),
+    });
+    Ok((json, buffers.collect()))
+}
+
+/// Capsule with the columns of a table as a stream of Arrow. The columns are those of `Table`.
+#[pyfunction]
+fn arrow_stream<'py>(py: Python<'py>, columns: Vec<arrow::Column<'py>>, rows: usize) -> PyResult<Bound<'py, PyAny>> {
+    Ok(arrow::stream(py, columns, rows)?.into_any())
 }

@@ -112,26 +112,27 @@ impl Plan {
         first(share)..first(share + 1)
     }
 
-    /// Value of each axis in a run, SI units; runs count from 0.
-    pub fn values(&self, run: u64) -> Vec<f64> {
+    /// Sets `values` to the value of each axis in a run, SI units. Runs count from 0.
+    pub fn set(&self, run: u64, values: &mut Vec<f64>) {
+        values.clear();
         match self.points {
             Points::Grid => {
                 let mut rest = run;
-                let mut values = vec![0.0; self.axes.len()];
+                values.resize(self.axes.len(), 0.0);
                 for (value, axis) in values.iter_mut().zip(&self.axes).rev() {
                     let count = axis.values.count().unwrap_or(1).max(1);
                     *value = axis.values.get(rest % count);
                     rest /= count;
                 }
-                values
             }
             Points::Random(_, seed) => {
                 // A generator for each run, so that every share draws the same.
                 let mut random = SplitMix64::new(scramble(seed) ^ scramble(run.wrapping_add(1)));
-                self.axes.iter().map(|axis| axis.values.at((random.bits() >> 11) as f64 * EPSILON)).collect()
+                values.extend(self.axes.iter().map(|axis| axis.values.at((random.bits() >> 11) as f64 * EPSILON)));
             }
             Points::Halton(_) => {
-                self.axes.iter().zip(PRIMES).map(|(axis, base)| axis.values.at(mirrored(run + 1, base))).collect()
+                let axes = self.axes.iter().zip(PRIMES);
+                values.extend(axes.map(|(axis, base)| axis.values.at(mirrored(run + 1, base))));
             }
         }
     }
@@ -197,7 +198,12 @@ mod tests {
     }
 
     fn all(plan: &Plan) -> Vec<Vec<f64>> {
-        (0..plan.runs()).map(|run| plan.values(run)).collect()
+        let values = |run: u64| {
+            let mut values = Vec::new();
+            plan.set(run, &mut values);
+            values
+        };
+        (0..plan.runs()).map(values).collect()
     }
 
     #[test]

@@ -11,13 +11,11 @@ use std::sync::Mutex;
 /// Size in bytes of a run's history at which its rows, which have been taken, are dropped.
 const HISTORY: usize = 1 << 18;
 
-/// A run of a plan: the values of the axes, and what was taken, in the units of [`Outcomes::curves`].
+/// A run of a plan, and what was taken, in the units of [`Outcomes::curves`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// Number of the run, from 0.
     pub run: u64,
-    /// Values of the axes, SI units.
-    pub axes: Vec<f64>,
     /// The numbers that were taken, or why the run has none.
     pub taken: Result<Vec<f64>, RunError>,
 }
@@ -158,18 +156,19 @@ impl<'a> Sweep<'a> {
 
     /// Computes some runs side by side.
     fn block(&self, alone: &mut Alone, runs: Range<u64>) -> Vec<Outcome> {
-        let axes: Vec<Vec<f64>> = runs.clone().map(|run| self.plan.values(run)).collect();
         let mut prepared = self.code.take();
-        prepared.parameters.resize(axes.len(), Vec::new());
-        for (parameters, axes) in prepared.parameters.iter_mut().zip(&axes) {
-            self.set_parameters(axes, parameters);
+        prepared.parameters.resize((runs.end - runs.start) as usize, Vec::new());
+        let mut axes = Vec::new();
+        for (run, parameters) in runs.clone().zip(&mut prepared.parameters) {
+            self.plan.set(run, &mut axes);
+            self.set_parameters(&axes, parameters);
         }
         let taken = match &prepared.ensemble {
             Ok(_) => self.together(&mut prepared, alone),
-            Err(_) => (0..axes.len()).map(|run| self.single(&mut prepared, run)).collect(),
+            Err(_) => (0..prepared.parameters.len()).map(|run| self.single(&mut prepared, run)).collect(),
         };
         self.code.give_back(prepared);
-        runs.zip(axes).zip(taken).map(|((run, axes), taken)| Outcome { run, axes, taken }).collect()
+        runs.zip(taken).map(|(run, taken)| Outcome { run, taken }).collect()
     }
 
     /// Sets parameters to those with these values of the axes.

@@ -91,8 +91,13 @@ impl Table {
         let number = Column { name: "run".to_owned(), label: None, unit: Unit::dimensionless() };
         let numbers = runs.iter().map(|outcome| (outcome.run + 1) as f64).collect();
         let mut columns = vec![TableColumn { head: number, values: ColumnValues::Numbers(numbers) }];
-        for (place, (head, axis)) in axes.into_iter().zip(plan.axes()).enumerate() {
-            let values = runs.iter().map(|outcome| outcome.axes[place]);
+        let (mut varied, mut of_run) = (vec![Vec::with_capacity(runs.len()); axes.len()], Vec::new());
+        for outcome in runs {
+            plan.set(outcome.run, &mut of_run);
+            varied.iter_mut().zip(&of_run).for_each(|(values, value): (&mut Vec<f64>, _)| values.push(*value));
+        }
+        for ((head, axis), values) in axes.into_iter().zip(plan.axes()).zip(varied) {
+            let values = values.into_iter();
             let values = match model.parameters.get(axis.parameter).filter(|parameter| !parameter.is_number()) {
                 Some(parameter) => ColumnValues::Texts(
                     values.map(|value| parameter.word(value, &model.texts).map(Box::from)).collect(),

@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 27] = [
+const ARROWS: [(&str, &[&str]); 29] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("catalogues", &["units"]),
@@ -30,7 +30,9 @@ const ARROWS: [(&str, &[&str]); 27] = [
     ),
     ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
     ("server", &["saved", "units"]),
-    ("python", &["analysis", "document", "engine", "model", "program", "runner", "units"]),
+    ("requests", &["analysis", "document", "engine", "model", "program", "runner", "units"]),
+    ("python", &["requests", "runner"]),
+    ("pyodide", &["engine", "host", "requests", "runner"]),
     ("probe", &["analysis", "document", "engine", "figure", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
@@ -57,7 +59,7 @@ const ARROWS: [(&str, &[&str]); 27] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 17] = [
+const CORE: [&str; 18] = [
     "units",
     "elementary",
     "program",
@@ -66,6 +68,7 @@ const CORE: [&str; 17] = [
     "engine",
     "ensemble",
     "runner",
+    "requests",
     "emit",
     "analysis",
     "film",

@@ -1,17 +1,16 @@
-//! Diagnostics as Python objects.
+//! Diagnostics with all texts in English.
 
 use crate::keywords::in_keywords;
 use model::Severity;
-use pyo3::prelude::*;
 use runner::Sources;
+use serde::Serialize;
 use units::{Language, Words};
 
 /// Something that is wrong with a document, a setting or a run: where, why, and what to do.
-#[pyclass(module = "meniscus", frozen, get_all, from_py_object)]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnostic {
     /// `error` or `warning`.
-    severity: String,
+    severity: &'static str,
     /// Stable code, such as `unknown-name`; empty for a wrong argument.
     code: String,
     /// Sentence about the fault.
@@ -67,59 +66,15 @@ impl Diagnostic {
             text: String::new(),
         }
     }
-
-    /// True for an error, false for a warning.
-    pub fn is_error(&self) -> bool {
-        self.severity == "error"
-    }
-
-    /// Text for a person: message, place and remedy.
-    pub fn described(&self) -> String {
-        let mut text = String::new();
-        if let (Some(line), Some(column)) = (self.line, self.column) {
-            text = format!("{}:{line}:{column}: ", self.file);
-        }
-        text.push_str(&self.message);
-        for more in self.notes.iter().chain(Some(&self.remedy).filter(|remedy| !remedy.is_empty())) {
-            text.push_str("\n  ");
-            text.push_str(more);
-        }
-        text
-    }
 }
 
-fn severity(severity: Severity) -> String {
+fn severity(severity: Severity) -> &'static str {
     match severity {
-        Severity::Error => "error".to_owned(),
-        Severity::Warning => "warning".to_owned(),
+        Severity::Error => "error",
+        Severity::Warning => "warning",
     }
 }
 
 fn english(words: &Words) -> String {
     in_keywords(&words.text(Language::English))
-}
-
-/// The fields of a diagnostic in their order, for pickles.
-type Fields = (String, String, String, String, Vec<String>, String, Option<usize>, Option<usize>, String);
-
-#[pymethods]
-impl Diagnostic {
-    #[new]
-    fn restore(fields: Fields) -> Self {
-        let (severity, code, message, remedy, notes, file, line, column, text) = fields;
-        Self { severity, code, message, remedy, notes, file, line, column, text }
-    }
-
-    fn __getnewargs__(&self) -> (Fields,) {
-        let Self { severity, code, message, remedy, notes, file, line, column, text } = self.clone();
-        ((severity, code, message, remedy, notes, file, line, column, text),)
-    }
-
-    fn __str__(&self) -> String {
-        format!("{}: {}", self.severity, self.described())
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<Diagnostic {}>", self.__str__())
-    }
 }

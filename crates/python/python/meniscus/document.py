@@ -1,151 +1,117 @@
-"""Simulations of oscillations from text documents: runs, sweeps and fits with units.
+"""Documents: what is run, swept and fitted."""
 
-A value is a number in the declared unit of the parameter, a text with its own unit (``"3 cm"``), or a quantity of Pint. Results are
-in the declared units. Long work releases the lock of the interpreter and can be interrupted.
-"""
+from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from os import PathLike
-from typing import Any, Literal, SupportsFloat, TypeAlias
+import json
+import operator
+import os
+from typing import TYPE_CHECKING, Any
 
-from numpy.typing import ArrayLike, NDArray
+from . import _core
+from .arguments import axes, fit_settings, names, records, settings, text
+from .errors import Diagnostic, answer, asked, diagnostics
+from .fit import Fit, fit
+from .table import Table, table
 
-__version__: str
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from os import PathLike
+    from typing import Literal, SupportsFloat, TypeAlias
 
-Value: TypeAlias = SupportsFloat | str | bool
-"""A number in the declared unit, a text with its own unit, a word of a choice, or the position of a switch."""
+    from numpy.typing import ArrayLike
 
-Data: TypeAlias = str | PathLike[str] | Table | Mapping[str, ArrayLike]
-"""Measured data: a file, or columns by heading, such as ``"t [s]"``."""
+    Value: TypeAlias = SupportsFloat | str | bool
+    """A number in the declared unit, a text with its own unit, a word of a choice, or the position of a switch."""
 
-class MeniscusError(Exception):
-    """Base of the errors of this package. The message says what happened, where, and what to do."""
+    Data: TypeAlias = str | PathLike[str] | Table | Mapping[str, ArrayLike]
+    """Measured data: a file, or columns by heading, such as ``"t [s]"``."""
 
-    diagnostics: list[Diagnostic]
+    Texts: TypeAlias = Sequence[tuple[str, str]]
 
-class DocumentError(MeniscusError):
-    """A document has errors."""
+_MOST_RESTORED = 8
+_restored: dict[tuple[tuple[str, str], ...], Document] = {}
+"""Documents that were restored from pickles, the last one at the end. A worker gets the same document with each of its tasks."""
 
-class SettingError(MeniscusError):
-    """An argument is wrong, or a file cannot be read."""
-
-class RunError(MeniscusError):
-    """A run cannot start or continue."""
-
-class Diagnostic:
-    """Something that is wrong with a document, an argument or a run: where, why, and what to do."""
-
-    @property
-    def severity(self) -> Literal["error", "warning"]: ...
-    @property
-    def code(self) -> str:
-        """Stable code, such as ``unknown-name``; empty for a wrong argument."""
-    @property
-    def message(self) -> str: ...
-    @property
-    def remedy(self) -> str:
-        """What to do; empty if nothing is known."""
-    @property
-    def notes(self) -> list[str]: ...
-    @property
-    def file(self) -> str:
-        """File or argument in which it is."""
-    @property
-    def line(self) -> int | None:
-        """Line, from 1; ``None`` without a place."""
-    @property
-    def column(self) -> int | None:
-        """Column in characters, from 1; ``None`` without a place."""
-    @property
-    def text(self) -> str:
-        """The text at the place; empty without a place."""
-
-class Table:
-    """Columns with names and units, as a run or a sweep gives them.
-
-    ``table["y"]`` is a column as an array of numpy that cannot be written; ``len(table)`` is the number of rows, and ``dict(table)``
-    has all arrays. Arrays and Arrow share one memory. A number without a value is NaN, in Arrow null.
-    """
-
-    @property
-    def columns(self) -> list[str]: ...
-    @property
-    def units(self) -> dict[str, str]:
-        """Unit of each column; empty for pure numbers."""
-    @property
-    def labels(self) -> dict[str, str]:
-        """Label of each column that the author has given one."""
-    @property
-    def notices(self) -> list[Diagnostic]:
-        """Warnings about the run, such as a step that is too long, or about runs of a sweep that could not be computed."""
-    @property
-    def ended(self) -> str | None:
-        """Message of the event that ended the run before its time."""
-    def keys(self) -> list[str]: ...
-    def __getitem__(self, name: str) -> NDArray[Any]: ...
-    def __contains__(self, name: str) -> bool: ...
-    def __iter__(self) -> Iterator[str]: ...
-    def __len__(self) -> int: ...
-    def to_pandas(self, *, headings: bool = False) -> Any:
-        """DataFrame of pandas, with ``attrs["units"]``; with ``headings`` its columns are called ``y [m]``."""
-    def to_xarray(self) -> Any:
-        """Dataset of xarray along the first column, with units in the attributes."""
-    def to_arrow(self) -> Any:
-        """Table of pyarrow, with units in the metadata of its fields."""
-    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
-
-class Estimate:
-    """A fitted number with its standard error, in its unit. ``float(estimate)`` is its value."""
-
-    @property
-    def value(self) -> float | None:
-        """Value; ``None`` if the data do not determine it."""
-    @property
-    def stderr(self) -> float | None:
-        """Standard error; also right for residuals that are correlated in time."""
-    @property
-    def unit(self) -> str: ...
-    def __float__(self) -> float: ...
-
-class Fit:
-    """A fit. ``print(fit)`` shows it as the command line does."""
-
-    @property
-    def parameters(self) -> dict[str, Estimate]:
-        """Fitted parameters that hold for all records."""
-    @property
-    def derived(self) -> dict[str, Estimate]:
-        """Quantities that follow from the parameters."""
-    @property
-    def summary(self) -> dict[str, Any]:
-        """All results, with the keys of ``meniscus fit --format json`` and ``meniscus rank --format json``."""
-    @property
-    def curves(self) -> list[Table]:
-        """For each observed quantity of each record: time, measured, fitted, residual, and whether the row was fitted."""
-    def __getitem__(self, key: str) -> Any: ...
 
 class Document:
     """A simulation: a document without errors. Documents pickle as their texts."""
 
-    def __init__(self, texts: Sequence[tuple[str, str]]) -> None:
+    __slots__ = ("__weakref__", "_opened", "_parameters", "_texts", "_title")
+
+    _opened: _core.Opened
+    _parameters: list[tuple[str, float | str, str]]
+    _texts: list[tuple[str, str]]
+    _title: str
+
+    def __init__(self, texts: Texts) -> None:
         """Opens texts with their names, the document first, then its translations. `open` is more convenient."""
+        key = tuple((name, text) for name, text in texts)
+        known = _restored.get(key)
+        if known is None:
+            self._open({"texts": key})
+            if len(_restored) >= _MOST_RESTORED:
+                _restored.pop(next(iter(_restored)), None)
+            _restored[key] = self
+        else:
+            self._opened, self._title, self._texts, self._parameters = known._opened, known._title, known._texts, known._parameters
+
+    def _open(self, source: dict[str, Any]) -> None:
+        opened, reply = _core.open_document(json.dumps(source))
+        value = answer(reply)
+        assert opened is not None
+        self._opened = opened
+        self._title = value["title"]
+        self._texts = [(name, text) for name, text in value["texts"]]
+        self._parameters = value["parameters"]
+
+    def __reduce__(self) -> Any:
+        return Document, (self._texts,)
+
+    def __dask_tokenize__(self) -> Texts:
+        return self._texts
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Document) and self._texts == other._texts
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __repr__(self) -> str:
+        return f"<Document {self.title}>"
+
     @property
-    def title(self) -> str: ...
+    def title(self) -> str:
+        return self._title
+
     @property
-    def text(self) -> str: ...
+    def text(self) -> str:
+        return self._texts[0][1]
+
     @property
     def parameters(self) -> dict[str, float | str]:
         """Values of the parameters in their declared units, or their words."""
+        return {name: value for name, value, _ in self._parameters}
+
     @property
     def units(self) -> dict[str, str]:
         """Declared units of the parameters; empty for pure numbers."""
+        return {name: unit for name, _, unit in self._parameters}
+
     def page(self) -> str:
         """Page that plays the document: HTML for any browser, with the source inside."""
+        return asked("page", [self._opened], None)[0]
+
     def widget(self, *, height: int = 640) -> Any:
         """The document in a notebook, as a widget of ``anywidget``. Its ``parameters`` follow the sliders, and the sliders follow them.
         ``height`` in pixels."""
+        from .widget import DocumentWidget
+
+        return DocumentWidget(_page=self.page(), title=self.title, parameters=self.parameters, height=height)
+
     def check(self, *, claims: bool = False) -> list[Diagnostic]:
         """Warnings about the document; with ``claims`` an error for each claim that its runs do not fulfil."""
+        return diagnostics(asked("findings", [self._opened], {"claims": claims})[0])
+
     def run(
         self,
         *,
@@ -169,6 +135,12 @@ class Document:
         with the times at which they are pressed. ``draw``: tables with files of two columns. ``method``, ``step``,
         ``tolerance``: the integration. ``seat``: the seat whose assigned values are taken.
         """
+        request = {
+            "columns": None if columns is None else names(columns),
+            "settings": settings(until, set, start, preset, press, draw, method, step, tolerance, seat, parameters),
+        }
+        return table(*asked("run", [self._opened], request))
+
     def sweep(
         self,
         over: Mapping[str, ArrayLike | str] | str | Sequence[str],
@@ -197,6 +169,22 @@ class Document:
         ``random`` and ``halton``: so many samples of the ranges instead. ``shard=(3, 16)``: the third of 16 equal parts. Numbers
         of a run that could not be computed are NaN; ``notices`` of the table says why.
         """
+        arrays: list[bytes] = []
+        request: dict[str, Any] = {
+            "prepare": {
+                "over": axes(over, arrays),
+                "keep": names(keep),
+                "settings": settings(until, set, start, preset, press, draw, method, step, tolerance, seat, parameters),
+            },
+            "seed": operator.index(seed),
+        }
+        for name, samples in [("random", random), ("halton", halton)]:
+            if samples is not None:
+                request[name] = operator.index(samples)
+        if shard is not None:
+            request["shard"] = [operator.index(part) for part in shard]
+        return table(*asked("sweep", [self._opened], request, arrays))
+
     def fit(
         self,
         data: Data | Sequence[Data],
@@ -224,16 +212,39 @@ class Document:
         ``until``: the fitted part. ``against``: the column of the independent variable. ``unit``: units of columns that a file
         does not state. ``profile``: also intervals from the profile of chi-square.
         """
-    def __hash__(self) -> int: ...
+        arrays: list[bytes] = []
+        request = {
+            "data": records(data, arrays),
+            "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat),
+            "profile": bool(profile),
+        }
+        value, buffers = asked("fit", [self._opened], request, arrays)
+        return fit(value, buffers)
+
 
 def open(document: str | PathLike[str], *, translations: Sequence[str] = ()) -> Document:
     """Opens a document: a path, or its text. A path is that of a document, a translation, an exported page or a project.
+    ``translations``: texts, for a document that is given as a text.
 
     Raises `DocumentError` if it has errors.
     """
+    opened = Document.__new__(Document)
+    opened._open(_source(document, translations))
+    return opened
+
 
 def check(document: str | PathLike[str], *, translations: Sequence[str] = ()) -> list[Diagnostic]:
-    """All findings about a document, errors and warnings."""
+    """All findings about a document, errors and warnings. The arguments are those of `open`."""
+    return diagnostics(asked("check", [], _source(document, translations))[0])
+
+
+def _source(document: str | PathLike[str], translations: Sequence[str]) -> dict[str, Any]:
+    """A path, or texts with names."""
+    if not isinstance(document, str) or "\n" not in document:
+        return {"path": os.fspath(document)}
+    numbered = [(f"translation {number}", text) for number, text in enumerate(translations, 1)]
+    return {"texts": [("document", document), *numbered]}
+
 
 def rank(
     data: Data | Sequence[Data],
@@ -259,3 +270,11 @@ def rank(
     ``fit["place"]``, ``fit["delta_aicc"]`` and ``fit["weight"]`` say how they compare. With ``predict_from``, each document is also
     fitted to what is before that time alone, and ``fit["rmse_predicted"]`` is the error of its prediction after it.
     """
+    arrays: list[bytes] = []
+    request = {
+        "data": records(data, arrays),
+        "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat),
+        "predict_from": None if predict_from is None else text(predict_from),
+    }
+    value, buffers = asked("rank", [document._opened for document in documents], request, arrays)
+    return [fit(one, buffers) for one in value]

@@ -1,0 +1,68 @@
+//! What the machine gives: files, the player inside this library, and signals.
+
+use pyo3::prelude::*;
+use runner::records::{MOST_BYTES, bounded, too_large};
+use runner::{Files, Refusal};
+use std::fs::File;
+use std::io;
+use std::path::Path;
+use std::sync::Mutex;
+
+/// The player without a simulation.
+#[cfg(page_inside)]
+const PLAYER: Option<&str> = Some(include_str!(env!("MENISCUS_PLAYER")));
+#[cfg(not(page_inside))]
+const PLAYER: Option<&str> = None;
+
+/// The surroundings of one call.
+#[derive(Debug, Default)]
+pub struct Surroundings {
+    /// Exception of a signal that has ended the work.
+    ended: Mutex<Option<PyErr>>,
+}
+
+impl Surroundings {
+    /// Raises the exception of a signal that has ended the work.
+    pub fn ended(self) -> PyResult<()> {
+        self.ended.into_inner().ok().flatten().map_or(Ok(()), Err)
+    }
+}
+
+impl Files for Surroundings {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        std::fs::read(path)
+    }
+
+    fn is_folder(&self, path: &Path) -> bool {
+        path.is_dir()
+    }
+
+    fn names(&self, folder: &Path) -> Vec<String> {
+        let entries = std::fs::read_dir(folder).into_iter().flatten();
+        entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect()
+    }
+}
+
+impl requests::Host for Surroundings {
+    fn record(&self, path: &Path) -> Result<Vec<u8>, Refusal> {
+        let failure = |error: io::Error| Refusal::file("read", path, &error);
+        let mut file = File::open(path).map_err(failure)?;
+        if file.metadata().map_err(failure)?.len() > MOST_BYTES {
+            return Err(too_large(path));
+        }
+        bounded(&mut file, path)
+    }
+
+    fn player(&self) -> Option<String> {
+        PLAYER.map(str::to_owned)
+    }
+
+    fn goes_on(&self) -> bool {
+        let signal = Python::attach(|py| py.check_signals()).err();
+        let goes_on = signal.is_none();
+        if let (Some(signal), Ok(mut ended)) = (signal, self.ended.lock()) {
+            *ended = Some(signal);
+        }
+        goes_on
+    }
+}

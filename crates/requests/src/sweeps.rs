@@ -1,0 +1,90 @@
+//! Sweeps: many runs, and what is kept of each.
+
+use crate::diagnostic::Diagnostic;
+use crate::fault::{Fault, read, run_diagnostic};
+use crate::host::Host;
+use crate::opened::Opened;
+use crate::prepared::Kept;
+use crate::reply::Reply;
+use crate::settings::Prepared;
+use crate::table;
+use model::Severity;
+use runner::{Outcome, Points, Sources, Sweep};
+use serde::Deserialize;
+use serde_json::value::RawValue;
+use std::sync::Arc;
+use units::words;
+
+/// Runs that are computed before the host is asked whether it goes on.
+const TOGETHER: u64 = 1 << 12;
+
+/// A sweep that is asked for.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Request<'a> {
+    /// A `Preparation`. The same text as that of the last sweep needs no other one.
+    #[serde(borrow)]
+    prepare: &'a RawValue,
+    /// Number of samples.
+    random: Option<u64>,
+    halton: Option<u64>,
+    seed: u64,
+    /// Number of the share from 1, and number of shares.
+    #[serde(default = "whole")]
+    shard: (u64, u64),
+}
+
+/// The share that is all runs.
+fn whole() -> (u64, u64) {
+    (1, 1)
+}
+
+/// Computes a sweep and returns its table.
+pub fn sweep(host: &dyn Host, opened: &Opened, request: &str, numbers: &[Vec<f64>]) -> Result<Reply, Fault> {
+    let Request { prepare, random, halton, seed, shard: (number, of) } = read(request)?;
+    let points = match (random, halton) {
+        (Some(_), Some(_)) => return Err(Fault::Value("random and halton exclude each other".to_owned())),
+        (Some(runs), None) => Points::Random(runs, seed),
+        (None, Some(runs)) => Points::Halton(runs),
+        (None, None) => Points::Grid,
+    };
+    if !(1..=of).contains(&number) {
+        let message = "shard must be (number, shards), such as (3, 16) for the third of 16 parts";
+        return Err(Fault::Value(message.to_owned()));
+    }
+    let kept = match opened.last_sweep().filter(|kept| kept.request == prepare.get()) {
+        Some(kept) => kept,
+        None => {
+            let kept = Arc::new(Kept::new(host, opened.theory(), prepare.get())?);
+            opened.keep(&kept);
+            kept
+        }
+    };
+    let Prepared { document, setup, until } = &kept.prepared;
+    let model = &document.program.model;
+    let plan = kept.plan(points, numbers)?;
+    let sweep = Sweep::new(model, (setup, *until), &plan, (&kept.outcomes, &kept.code));
+    let runs = plan.share(number - 1, of);
+    let mut outcomes = Vec::new();
+    let mut next = runs.start;
+    while next < runs.end {
+        let part = next..runs.end.min(next + TOGETHER);
+        next = part.end;
+        outcomes.extend(sweep.compute(part));
+        if !host.goes_on() {
+            return Err(Fault::Interrupted);
+        }
+    }
+    let computed = runner::Table::of_runs(model, &plan, &kept.outcomes, &outcomes);
+    table::reply(computed, missing(&outcomes, &opened.theory().sources, &kept), None)
+}
+
+/// How many runs could not be computed, and why the first one could not.
+fn missing(outcomes: &[Outcome], sources: &Sources, kept: &Kept) -> Vec<Diagnostic> {
+    let mut failed = outcomes.iter().filter_map(|outcome| Some((outcome.run, outcome.taken.as_ref().err()?)));
+    let Some((run, error)) = failed.next() else { return Vec::new() };
+    let (count, all) = (1 + failed.count(), outcomes.len());
+    let why = words!("{count} of {all} runs could not be computed; the first is run {}", run + 1);
+    let summary = Diagnostic::without_place(Severity::Warning, "", &why, None);
+    vec![summary, run_diagnostic((sources, &kept.prepared.document), error)]
+}

@@ -82,11 +82,12 @@ impl Strip {
         if line.direction == [0.0, 1.0] && line.origin[1] >= 0.5 && (line.origin[1] - 0.5).fract() == 0.0 {
             // Fast path: all rows of the strip are rows of the picture, with the same columns in a bin.
             let places = |bin| (0..samples as usize).map(move |sample| line.origin[0] + across(bin, sample));
-            let bins: Vec<Vec<(usize, f64)>> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
+            let bins: Vec<(usize, Vec<f64>)> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
             for row in (line.origin[1] as usize..plane.height()).take(grid.rows) {
                 let pixels = plane.grey().get(row * plane.width()..).unwrap_or_default();
-                for bin in &bins {
-                    let sum: f64 = bin.iter().map(|(column, weight)| weight * f64::from(pixels[*column])).sum();
+                for (first, weights) in &bins {
+                    let pixels = weights.iter().zip(pixels.get(*first..).unwrap_or_default());
+                    let sum: f64 = pixels.map(|(weight, pixel)| weight * f64::from(*pixel)).sum();
                     grey.push(rounded(sum / samples * STEPS));
                 }
             }
@@ -159,19 +160,22 @@ pub(crate) fn with_differences(mut values: Vec<f32>, rows: usize) -> Vec<f32> {
     values
 }
 
-/// Weights of the pixels of a row in the sum of interpolated values at some places (px).
-fn weights(places: impl Iterator<Item = f64>, width: usize) -> Vec<(usize, f64)> {
+/// First pixel, and weights of it and its successors, in the sum of interpolated values at some places (px), which are
+/// ascending and at most a pixel apart.
+fn weights(places: impl Iterator<Item = f64>, width: usize) -> (usize, Vec<f64>) {
     let last = width.saturating_sub(1);
-    let mut weights: Vec<(usize, f64)> = Vec::new();
+    let (mut first, mut weights) = (None, Vec::new());
     for place in places {
         let at = (place - 0.5).max(0.0).min(last as f64);
         let (column, right) = (at as usize, at.fract());
+        let first = *first.get_or_insert(column);
         for (column, weight) in [(column, 1.0 - right), ((column + 1).min(last), right)] {
-            match weights.iter_mut().find(|one| one.0 == column) {
-                Some(one) => one.1 += weight,
-                None => weights.push((column, weight)),
+            let along = column - first;
+            if weights.len() <= along {
+                weights.resize(along + 1, 0.0);
             }
+            weights[along] += weight;
         }
     }
-    weights
+    (first.unwrap_or(0), weights)
 }

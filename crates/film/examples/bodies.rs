@@ -3,7 +3,8 @@
 //!     cargo run --release -p film --example bodies -- [KIND...] [FIRST SEED]
 //!
 //! Sizes, speeds, colours and exposures vary with the seed. `wrong` are frames more than 6 pixels off after the shift of the click,
-//! `silent` those of them without a mark, `false` marks on right frames.
+//! `silent` those of them without a mark, `false` marks on right frames. A click on both of two equal bodies does not show which of them is meant: marks
+//! on such a track are true, and `both` counts them.
 
 #![allow(
     clippy::expect_used,
@@ -42,6 +43,7 @@ fn main() {
             continue;
         }
         let mut total = [0_usize; 6];
+        let mut both = 0;
         let mut silently = 0;
         let mut ends_wrong = 0;
         let mut tracks = 0_u64;
@@ -90,6 +92,13 @@ fn main() {
                 }
                 let rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
                 let right = track.points.len() - wrong;
+                let is_on = |other: usize| {
+                    let [x, y] = stage.place(other, first as f64);
+                    libm::hypot(position[0] - x, position[1] - y) < stage.radius
+                };
+                if kind == Kind::Twins && (0..stage.bodies()).all(is_on) {
+                    both += std::mem::take(&mut marked);
+                }
                 tracks += 1;
                 seconds += took + refined;
                 silently += usize::from(silent > 0);
@@ -111,7 +120,7 @@ fn main() {
             }
         }
         println!(
-            "{name}: {tracks} tracks, {silently} silently wrong, {ends_wrong} end wrong; frames {} right {} wrong {} silent {} false marks {} ({:.2} %), {seconds:.0} s",
+            "{name}: {tracks} tracks, {silently} silently wrong, {ends_wrong} end wrong; frames {} right {} wrong {} silent {} false marks {} ({:.2} %) both {both}, {seconds:.0} s",
             total[0],
             total[1],
             total[2],

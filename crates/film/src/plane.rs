@@ -98,10 +98,19 @@ impl Plane {
 
     /// Grey value at a point (px), by bilinear interpolation between pixel centres.
     pub fn linear(&self, x: f64, y: f64) -> f64 {
-        let (row, below) = parts(y);
-        let above = self.mixed(row, parts(x));
+        let ((column, right), (row, below)) = (parts(x), parts(y));
+        let inside = |at: i64, size: usize| usize::try_from(at).ok().filter(|at| at + 1 < size);
+        if let Some((column, row)) = inside(column, self.width).zip(inside(row, self.height)) {
+            let pair = |row: usize| self.grey.get(row * self.width + column..)?.first_chunk::<2>();
+            if let Some(([a, b], [c, d])) = pair(row).zip(pair(row + 1)) {
+                let mixed = |one: &u8, other: &u8| (1.0 - right) * f64::from(*one) + right * f64::from(*other);
+                // Exact at the centre line of a row too.
+                return (1.0 - below) * mixed(a, b) + below * mixed(c, d);
+            }
+        }
+        let above = self.mixed(row, (column, right));
         // One row suffices at its centre line, the usual case of an upright tube.
-        if below == 0.0 { above } else { (1.0 - below) * above + below * self.mixed(row + 1, parts(x)) }
+        if below == 0.0 { above } else { (1.0 - below) * above + below * self.mixed(row + 1, (column, right)) }
     }
 
     /// Grey values at all pairs of coordinates to the right and downwards (px), row by row, as [`Plane::linear`].

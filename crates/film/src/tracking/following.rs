@@ -12,6 +12,8 @@ use crate::tracking::track::{CameraShift, Track};
 
 /// Maximum number of pixels compared per pair of pictures.
 const COMPARED: usize = 20_000;
+/// Number of pixels whose products have a sum of 32 bits.
+const PART: usize = 1 << 16;
 
 /// Objects to be tracked. Positions in px of the stored picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,7 +78,8 @@ struct Pass {
     backdrop: Option<Backdrop>,
     /// Mean absolute difference of successive pictures, grey values.
     differences: Vec<f64>,
-    last: Option<Plane>,
+    /// Pixels of the last picture that are compared with those of the next.
+    last: Option<Vec<u8>>,
     /// Number of frames taken.
     taken: usize,
 }
@@ -143,8 +146,9 @@ impl Following {
             let taken = pass.taken + 1;
             body.check(taken, self.plan.frames.len() - taken)?;
         }
-        pass.differences.extend(pass.last.as_ref().map(|last| difference(last, &plane)));
-        pass.last = Some(plane.uncoloured());
+        let pixels = compared(&plane);
+        pass.differences.extend(pass.last.as_ref().map(|last| difference(last, &pixels)));
+        pass.last = Some(pixels);
         pass.taken += 1;
         self.leave_out_repeated()
     }
@@ -269,26 +273,39 @@ impl std::fmt::Debug for Following {
     }
 }
 
-/// Mean absolute difference of two pictures in grey values, from a part of their pixels. Brightness and contrast are
-/// matched first, so that a change of the exposure does not count.
-fn difference(one: &Plane, other: &Plane) -> f64 {
-    let step = (one.grey().len() / COMPARED).max(1);
-    let pairs = || one.grey().iter().step_by(step).copied().zip(other.grey().iter().step_by(step).copied());
+/// Grey values of a part of the pixels of a picture.
+fn compared(plane: &Plane) -> Vec<u8> {
+    let step = (plane.grey().len() / COMPARED).max(1);
+    plane.grey().iter().copied().step_by(step).collect()
+}
+
+/// Mean absolute difference of the compared pixels of two pictures in grey values. Brightness and contrast are matched
+/// first, so that a change of the exposure does not count.
+fn difference(one: &[u8], other: &[u8]) -> f64 {
     // Sums of integers, which are exact.
-    let [count, sum, other_sum, product, square] = pairs()
-        .fold([0_u64; 5], |[count, sum, other_sum, product, square], (a, b)| {
-            let (a, b) = (u64::from(a), u64::from(b));
-            [count + 1, sum + a, other_sum + b, product + a * b, square + b * b]
-        })
-        .map(|sum| sum as f64);
-    let count = f64::max(count, 1.0);
+    let [mut sum, mut other_sum, mut product, mut square] = [0_u64; 4];
+    for (one, other) in one.chunks(PART).zip(other.chunks(PART)) {
+        let part = one.iter().zip(other).fold([0_u32; 4], |[sum, other_sum, product, square], (a, b)| {
+            let (a, b) = (u32::from(*a), u32::from(*b));
+            [sum + a, other_sum + b, product + a * b, square + b * b]
+        });
+        sum += u64::from(part[0]);
+        other_sum += u64::from(part[1]);
+        product += u64::from(part[2]);
+        square += u64::from(part[3]);
+    }
+    let [count, sum, other_sum, product, square] =
+        [one.len().min(other.len()).max(1) as u64, sum, other_sum, product, square].map(|sum| sum as f64);
     let (mean, other_mean) = (sum / count, other_sum / count);
     let variance = square - other_sum * other_mean;
     let gain = if variance > 0.0 { (product - sum * other_mean) / variance } else { 1.0 };
+    let left = |(a, b): (&u8, &u8)| (f64::from(*a) - mean - gain * (f64::from(*b) - other_mean)).abs();
     // Four sums do not wait for one another.
     let mut sums = [0.0; 4];
-    for (at, (a, b)) in pairs().enumerate() {
-        sums[at % 4] += (f64::from(a) - mean - gain * (f64::from(b) - other_mean)).abs();
+    let ((parts, rest), (other_parts, other_rest)) = (one.as_chunks::<4>(), other.as_chunks::<4>());
+    for (one, other) in parts.iter().zip(other_parts) {
+        sums.iter_mut().zip(one.iter().zip(other)).for_each(|(sum, pair)| *sum += left(pair));
     }
+    sums.iter_mut().zip(rest.iter().zip(other_rest)).for_each(|(sum, pair)| *sum += left(pair));
     sums.iter().sum::<f64>() / count
 }

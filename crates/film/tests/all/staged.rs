@@ -108,6 +108,22 @@ fn a_click_on_two_equal_bodies_one_of_which_covers_the_other_gives_no_wrong_fram
 }
 
 #[test]
+fn two_equal_bodies_that_meet_soon_after_the_click_are_told_apart() {
+    // Seed, rows, frame of the click, and body: it meets the other one two, and five frames later.
+    for (seed, rows, first, body) in [(6006, 120, 2, 1), (4002, 240, 14, 0)] {
+        let stage = Stage::new(Kind::Twins, seed, rows, first + 30, seed % 2 == 0);
+        let (track, shift) = followed(&stage, body, first..first + 30, seed + 100 * body as u64).expect("a track");
+        for point in &track.points {
+            let truth = stage.place(body, point.frame as f64);
+            let off = [0, 1].map(|k| point.position[k] - truth[k] - shift[k]);
+            assert!(libm::hypot(off[0], off[1]) < WRONG, "film {seed}, frame {}: {off:?}", point.frame);
+        }
+        let marked = track.points.iter().filter(|point| point.doubtful).count();
+        assert!(marked <= 1, "film {seed}: {marked} of {} frames in doubt", track.points.len());
+    }
+}
+
+#[test]
 fn a_body_that_does_not_move_is_in_doubt_from_end_to_end() {
     let stage = Stage::new(Kind::Plain, 1, 240, 2, false);
     let position = stage.click(0, 0, 1, 0.6);

@@ -10,13 +10,14 @@ const JOINED: usize = 5;
 /// Number of vectors before the last one of a difference.
 const EARLIER: usize = JOINED - 1;
 /// Minimum number of vectors before a meeting. The first differences join fewer vectors.
-const LEAST: usize = 2;
+const LEAST: usize = 1;
 /// Number of assignments of these vectors, one bit each.
 const STATES: usize = 1 << EARLIER;
 /// Minimum difference of the squares of two assignments, in mean squares.
 const EVIDENCE: f64 = 30.0;
-/// Minimum error of a vector in a meeting, px.
+/// Error of a vector in a meeting without smear, and minimum error by which assignments are compared, px.
 const NOISE: f64 = 0.5;
+const EXACT: f64 = 0.25;
 /// Maximum error of a vector, px and relative to the radius.
 const SMOOTH: (f64, f64) = (1.5, 0.1);
 
@@ -69,7 +70,7 @@ fn square(vectors: &[Vector], signs: usize) -> f64 {
 
 /// Assignments in the frames of a meeting, and whether the bodies are exchanged afterwards (Viterbi, *IEEE Trans. Inf. Theory* 13 (1967) 260).
 /// `vectors`: those of all frames in which both are seen, from before the meeting on; `meeting`: indices. `radius` in px. `None` if both ways
-/// are about as smooth, or there are fewer than two vectors before or four after.
+/// are about as smooth, or there is no vector before or there are fewer than four after.
 pub(super) fn exchanges(vectors: &[Vector], meeting: Range<usize>, radius: f64) -> Option<(Vec<Assigned>, bool)> {
     let count = vectors.len();
     if meeting.start < LEAST || meeting.end + EARLIER > count {
@@ -99,7 +100,7 @@ pub(super) fn exchanges(vectors: &[Vector], meeting: Range<usize>, radius: f64) 
     let (same, exchanged) = (costs[0], costs[STATES - 1]);
     let is_exchanged = exchanged < same;
     let disturbed = (meeting.end + EARLIER).min(count) - meeting.start.max(LEAST);
-    let error = (same.min(exchanged) / (2 * disturbed.max(1)) as f64).max(NOISE * NOISE);
+    let error = (same.min(exchanged) / (2 * disturbed.max(1)) as f64).max(EXACT * EXACT);
     let limit = SMOOTH.0.max(SMOOTH.1 * radius);
     if error > limit * limit || (same - exchanged).abs() < EVIDENCE * error {
         return None;
@@ -141,7 +142,7 @@ mod tests {
             };
             exchanges(&(first..25).map(vector).collect::<Vec<_>>(), 8 - first..17 - first, 10.0)
         };
-        for first in [0, 4, 6] {
+        for first in [0, 4, 6, 7] {
             for turned in [vec![], vec![12], vec![9, 10, 11], vec![10, 13, 14]] {
                 let (assigned, is_exchanged) = assigned(first, 6.0, &turned).expect("an assignment");
                 assert!(!is_exchanged);
@@ -153,7 +154,7 @@ mod tests {
             let (_, is_exchanged) = assigned(first, 6.0, &(13..25).collect::<Vec<_>>()).expect("an assignment");
             assert!(is_exchanged);
         }
-        assert_eq!(assigned(7, 6.0, &[]), None, "one vector before the meeting");
+        assert_eq!(assigned(8, 6.0, &[]), None, "no vector before the meeting");
         // Bodies that are at the same place in the meeting cannot be told apart.
         let vectors: Vec<Vector> =
             (0..25).map(|at| Vector { time: f64::from(at), between: [0.01, 0.0], motion: [1.0, 0.0] }).collect();

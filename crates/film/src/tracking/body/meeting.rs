@@ -20,7 +20,7 @@ const SMOOTH: (f64, f64) = (1.0, 0.05);
 /// Factor by which the scatter must be smaller if the other body was not seen afterwards.
 const ALONE: f64 = 4.0;
 /// Maximum duration without positions, in durations of the positions on each side.
-const GAP: f64 = 2.0;
+const GAP: f64 = 2.5;
 
 /// Positions of two bodies in a frame, and those that their motions predict, px.
 pub(super) struct Pair {

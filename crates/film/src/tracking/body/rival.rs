@@ -34,6 +34,9 @@ const NEAR: (f64, f64) = (2.5, 0.1);
 const EARLY: usize = 8;
 /// Distance in radii below which bodies cover one another in part.
 const COVERING: f64 = 2.0;
+/// Distance in radii beyond which a body was at the click if it has passed since, and number of frames until it touched the other one.
+const AWAY: f64 = 4.0;
+const ALONE: usize = 4;
 /// A thing that was seen in fewer frames may be a pattern of the background.
 const SIGHTINGS: usize = 3;
 
@@ -174,8 +177,10 @@ impl Rival {
         radius: f64,
     ) -> Option<Settled> {
         let now = [own.len().saturating_sub(1), self.seen.len().saturating_sub(usize::from(self.hidden == 0))];
-        if self.meeting.is_none() && self.has_come_out(own.get(begin..).unwrap_or_default(), radius) {
-            self.meeting = Some(Meeting { from: [begin, 0], apart: now.map(|now| now + 1), closing: 0.0 });
+        let come_out = self.come_out(own.get(begin..).unwrap_or_default(), radius);
+        if let Some(from) = come_out.filter(|_| self.meeting.is_none()) {
+            let closing = self.closing(own);
+            self.meeting = Some(Meeting { from: [begin + from, 0], apart: now.map(|now| now + 1), closing });
             return None;
         }
         if may_be_exchanged {
@@ -271,28 +276,34 @@ impl Rival {
         Some(Settled { is_exchanged, between, apart })
     }
 
-    /// True if this body, which has just been seen twice, may have covered a part of the other one at its click. `own`: all sightings of the
-    /// other one.
-    fn has_come_out(&self, own: &[Seen], radius: f64) -> bool {
-        let (Some(start), [first, second]) = (own.first(), self.seen.as_slice()) else { return false };
+    /// Index of the first sighting of the other one in which this body, which has just been seen twice, may have covered a part of it: that at its
+    /// click, unless it has passed later. `own`: all sightings of the other one.
+    fn come_out(&self, own: &[Seen], radius: f64) -> Option<usize> {
+        let (start, [first, second]) = (own.first()?, self.seen.as_slice()) else { return None };
         let ((late, from), (later, to)) = (first.place(), second.place());
         let (back, step) = ((start.time - late) / (later - late), [0, 1].map(|k| to[k] - from[k]));
         if own.len() > MOST || back == 0.0 {
-            return false;
+            return None;
         }
         if own.len() <= EARLY {
             let place = [0, 1].map(|k| from[k] + back * step[k]);
-            return far(place, start.first.position) < COVERING * radius;
+            return (far(place, start.first.position) < COVERING * radius).then_some(0);
         }
         // The motion of many frames is not straight; the bodies separate slowly.
         let at = |one: &Seen| own.iter().rfind(|other| other.frame == one.frame).map(|other| other.first.position);
-        let Some((before, now)) = at(first).zip(at(second)) else { return false };
+        let (before, now) = at(first).zip(at(second))?;
         let (from, to) = ([from[0] - before[0], from[1] - before[1]], [to[0] - now[0], to[1] - now[1]]);
         let step = [to[0] - from[0], to[1] - from[1]];
         let square = (step[0] * step[0] + step[1] * step[1]).max(f64::MIN_POSITIVE);
         // Number of frames since the least distance, not before the start.
         let since = ((from[0] * step[0] + from[1] * step[1]) / square).min(-back);
-        since > 0.0 && far([from[0] - since * step[0], from[1] - since * step[1]], [0.0; 2]) < COVERING * radius
+        let apart = |since: f64| far([from[0] - since * step[0], from[1] - since * step[1]], [0.0; 2]);
+        if since <= 0.0 || apart(since) >= COVERING * radius {
+            return None;
+        }
+        let touched = own.iter().rev().take_while(|one| !one.free).count();
+        let has_passed = own.len() - touched >= ALONE && touched > 0 && apart(-back) > AWAY * radius;
+        Some(if has_passed { own.len() - touched } else { 0 })
     }
 
     /// Change of the distance of both bodies, px a frame.

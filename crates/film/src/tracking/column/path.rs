@@ -8,6 +8,8 @@ const FORBIDDEN: f32 = 1e6;
 /// Minimum strength of a profile, relative to the median of the strongest ones. It prevents that noise in a uniform
 /// area resembles the template.
 const FLOOR: f64 = 0.3;
+/// Sign of an `f32`.
+const SIGN: u32 = 1 << 31;
 
 /// Strength of a profile around each row: square root of the sum of squared deviations from the mean.
 pub(crate) fn strengths(profile: &[f32], half: usize) -> Vec<f64> {
@@ -86,23 +88,50 @@ pub(crate) struct Search {
     costs: Vec<f32>,
     /// Predecessor of each row, for each frame.
     before: Vec<Vec<u16>>,
+    window: Sliding,
 }
 
 impl Search {
     pub(crate) fn new(rows: usize, step: f32) -> Search {
-        Search { step, costs: vec![0.0; rows], before: Vec::new() }
+        Search { step, costs: vec![0.0; rows], before: Vec::new(), window: Sliding::default() }
     }
 
     /// Takes the costs of the rows in the next frame. `reach`: maximum motion since the previous frame, rows; `fixed`:
     /// first and last row of an anchor.
     pub(crate) fn take(&mut self, costs: &[f32], reach: usize, fixed: Option<(usize, usize)>) {
-        let (mut sums, before) = nearest(&self.costs, reach, self.step);
-        for (row, sum) in sums.iter_mut().enumerate() {
+        let before = self.nearest(reach);
+        for (row, sum) in self.costs.iter_mut().enumerate() {
             let outside = fixed.is_some_and(|(first, last)| row < first || row > last);
             *sum += if outside { FORBIDDEN } else { costs.get(row).copied().unwrap_or(FORBIDDEN) };
         }
-        self.costs = sums;
         self.before.push(before);
+    }
+
+    /// Replaces the cost of each row by the least cost of reaching it from a row at most `reach` away. Returns that row.
+    ///
+    /// The cost of a step is proportional to its length, so that a sliding minimum in both directions suffices.
+    fn nearest(&mut self, reach: usize) -> Vec<u16> {
+        let rows = self.costs.len();
+        // Cost relative to a start at the first row, so that differences are costs of steps.
+        let relative = |(step, cost): (usize, &f32)| key(cost - self.step * step as f32, step);
+        let downwards = self.window.minima(self.costs.iter().enumerate().map(relative), reach);
+        let found: Vec<(f32, u16)> = downwards
+            .iter()
+            .enumerate()
+            .map(|(step, least)| {
+                let (value, old) = parts(*least);
+                (value + self.step * step as f32, old)
+            })
+            .collect();
+        let upwards = self.window.minima(self.costs.iter().rev().enumerate().map(relative), reach);
+        let mut before = vec![0; rows];
+        let places = self.costs.iter_mut().zip(&mut before).zip(found).rev();
+        for ((step, least), ((cost, before), down)) in upwards.iter().enumerate().zip(places) {
+            let (value, old) = parts(*least);
+            let up = (value + self.step * step as f32, rows as u16 - 1 - old);
+            (*cost, *before) = if up.0 < down.0 { up } else { down };
+        }
+        before
     }
 
     /// Least total cost up to each row of the last frame.
@@ -124,35 +153,52 @@ impl Search {
     }
 }
 
-/// Least cost of reaching each row from a row at most `reach` away, and that row.
-///
-/// The cost of a step is proportional to its length, so that a sliding minimum in both directions suffices.
-fn nearest(costs: &[f32], reach: usize, step_cost: f32) -> (Vec<f32>, Vec<u16>) {
-    let rows = costs.len();
-    let (mut best, mut from) = (vec![f32::INFINITY; rows], vec![0_u16; rows]);
-    // Steps and values of the window in ascending order of both, from `first` to `end`.
-    let mut window = vec![(0_usize, 0.0_f32); rows];
-    for backward in [false, true] {
-        let (mut first, mut end) = (0, 0);
-        for step in 0..rows {
-            let at = |step: usize| if backward { rows - 1 - step } else { step };
-            let row = at(step);
-            // Cost relative to a start at the first row, so that differences are costs of steps.
-            let entry = costs[row] - step_cost * step as f32;
-            while end > first && window[end - 1].1 > entry {
-                end -= 1;
-            }
-            window[end] = (step, entry);
-            end += 1;
-            while window[first].0 + reach < step {
-                first += 1;
-            }
-            let (old, value) = window[first];
-            let cost = value + step_cost * step as f32;
-            if cost < best[row] {
-                (best[row], from[row]) = (cost, at(old) as u16);
+/// Sliding minimum (van Herk, *Pattern Recognition Lett.* 13 (1992) 517), with its buffers.
+#[derive(Default)]
+struct Sliding {
+    keys: Vec<u64>,
+    /// Minimum from each place to the end of its block.
+    suffixes: Vec<u64>,
+}
+
+impl Sliding {
+    /// Least key from `reach` places before each place up to it.
+    fn minima(&mut self, keys: impl Iterator<Item = u64>, reach: usize) -> &[u64] {
+        self.keys.clear();
+        self.keys.extend(keys);
+        let reach = reach.min(self.keys.len());
+        self.suffixes.clone_from(&self.keys);
+        for block in self.suffixes.chunks_mut(reach + 1) {
+            let mut least = u64::MAX;
+            for suffix in block.iter_mut().rev() {
+                least = least.min(*suffix);
+                *suffix = least;
             }
         }
+        for block in self.keys.chunks_mut(reach + 1) {
+            let mut least = u64::MAX;
+            for key in block {
+                least = least.min(*key);
+                *key = least;
+            }
+        }
+        let ends = self.keys.get_mut(reach..).unwrap_or_default();
+        ends.iter_mut().zip(&self.suffixes).for_each(|(least, suffix)| *least = (*suffix).min(*least));
+        &self.keys
     }
-    (best, from)
+}
+
+/// Key in the order of a cost and then of a row.
+fn key(cost: f32, row: usize) -> u64 {
+    let bits = cost.to_bits();
+    // Negative numbers have the opposite order of their bits.
+    let order = bits ^ ((bits as i32 >> 31) as u32 | SIGN);
+    u64::from(order) << 32 | row as u64
+}
+
+/// Cost and row of a key.
+fn parts(key: u64) -> (f32, u16) {
+    let order = (key >> 32) as u32;
+    let bits = order ^ (!(order as i32 >> 31) as u32 | SIGN);
+    (f32::from_bits(bits), key as u16)
 }

@@ -11,6 +11,8 @@ use crate::tracking::spline;
 
 /// Penalty on second differences of the pattern, relative to the mean weight of a knot: it bridges knots without data.
 const SMOOTHNESS: f64 = 1e-4;
+/// Number of bins computed side by side.
+const LANES: usize = 4;
 
 /// Parameters of a frame in the model.
 #[derive(Clone, Debug)]
@@ -141,14 +143,31 @@ impl Pattern {
     /// Pattern with background, and derivative of the pattern by the row, for each bin of one row.
     pub(crate) fn row(&self, row: usize, weights: &Weights, out: &mut [(f64, f64)]) {
         let width = self.window.width();
-        out.iter_mut().zip(&self.background[row * width..]).for_each(|(out, still)| *out = (*still, 0.0));
-        let knots = self.coefficients[weights.first * width..].chunks_exact(width);
-        for (knot, (value, slope)) in knots.zip(weights.values.iter().zip(&weights.slopes)) {
-            for (out, coefficient) in out.iter_mut().zip(knot) {
-                out.0 += value * coefficient;
-                out.1 += slope * coefficient;
+        let still = self.background.get(row * width..).unwrap_or_default();
+        let knots = self.coefficients.get(weights.first * width..).unwrap_or_default();
+        let (parts, rest) = out.as_chunks_mut::<LANES>();
+        let wide = parts.len() * LANES;
+        for (bin, part) in (0..wide).step_by(LANES).zip(parts) {
+            *part = self.bins(&still[bin..], knots.get(bin..).unwrap_or_default(), weights);
+        }
+        for (bin, out) in (wide..width).zip(rest) {
+            [*out] = self.bins(&still[bin..], knots.get(bin..).unwrap_or_default(), weights);
+        }
+    }
+
+    /// Values and derivatives of some bins side by side. `knots`: coefficients from the first bin of the first knot.
+    fn bins<const COUNT: usize>(&self, still: &[f64], knots: &[f64], weights: &Weights) -> [(f64, f64); COUNT] {
+        let mut values: [f64; COUNT] = still.first_chunk().copied().unwrap_or([0.0; COUNT]);
+        let mut slopes = [0.0; COUNT];
+        let weights = weights.values.iter().zip(&weights.slopes);
+        for (knot, (value, slope)) in knots.chunks(self.window.width()).zip(weights) {
+            let Some(coefficients) = knot.first_chunk::<COUNT>() else { break };
+            for k in 0..COUNT {
+                values[k] += value * coefficients[k];
+                slopes[k] += slope * coefficients[k];
             }
         }
+        std::array::from_fn(|k| (values[k], slopes[k]))
     }
 }
 

@@ -157,12 +157,18 @@ impl Finding {
         let rows = self.shape.rows;
         let own: f32 = self.added.iter().flatten().map(|value| value * value).sum::<f32>().max(1e-3);
         let mut costs = vec![1.0; rows];
+        let mut products = vec![0.0_f32; rows];
         for (values, added) in rest.chunks(rows).zip(&self.added) {
-            for (row, cost) in costs.iter_mut().enumerate() {
-                let (skip, start) = (HALF.saturating_sub(row), row.saturating_sub(HALF));
-                let pairs = added.iter().skip(skip).zip(values.get(start..).unwrap_or_default());
-                *cost -= 2.0 * pairs.map(|(added, value)| added * value).sum::<f32>() / own;
+            products.fill(0.0);
+            for (along, added) in added.iter().enumerate() {
+                // Row of the strip: `row + along - HALF`.
+                let (skip, start) = (HALF.saturating_sub(along), along.saturating_sub(HALF));
+                let sums = products.get_mut(skip..).unwrap_or_default();
+                sums.iter_mut()
+                    .zip(values.get(start..).unwrap_or_default())
+                    .for_each(|(sum, value)| *sum += added * value);
             }
+            costs.iter_mut().zip(&products).for_each(|(cost, product)| *cost -= 2.0 * product / own);
         }
         costs
     }

@@ -2,7 +2,7 @@
 //! another below, and a pattern moves with the surface. Stationary details, such as the marks of a graduated tube, are
 //! in both regions and do not bias the surface.
 
-use crate::tracking::median::median;
+use crate::tracking::median::{magnitude, median};
 
 /// Residual in standard deviations of the noise with half of the maximum cost.
 const LARGE: f32 = 3.0;
@@ -192,12 +192,12 @@ impl Regions {
         let mut spread = (0.0, 0.0);
         for (channel, first) in shape.starts().enumerate() {
             let models = self.modelled(channel, surface).into_iter().zip(&values[first..]);
-            let residuals: Vec<f64> = models.map(|(model, value)| f64::from((value - model).abs())).collect();
+            let residuals: Vec<f32> = models.map(|(model, value)| (value - model).abs()).collect();
             let near = shape.around(surface);
             sums.near[channel][0] += near.len() as f64;
-            sums.near[channel][1] += residuals.get(near).unwrap_or_default().iter().sum::<f64>();
-            let (total, count) = (residuals.iter().sum::<f64>(), residuals.len());
-            let usual = median(residuals);
+            sums.near[channel][1] += sum(residuals.get(near).unwrap_or_default());
+            let (total, count) = (sum(&residuals), residuals.len());
+            let usual = magnitude(&residuals);
             sums.total += total;
             spread = (spread.0 + total / count.max(1) as f64, spread.1 + usual);
             sums.residuals[channel].push(usual);
@@ -239,12 +239,13 @@ impl Regions {
                 side[part.clone()].iter().zip(&values[part.clone()]).map(|(side, value)| value - side).collect()
             };
             let (above, below) = (rest(&self.above), rest(&self.below));
-            let (upper, lower) =
-                (running(above.iter().map(|rest| cost(*rest))), running(below.iter().map(|rest| cost(*rest))));
-            let all = lower.last().copied().unwrap_or(0.0);
+            let pairs: Vec<[f32; 2]> =
+                above.iter().zip(&below).map(|(above, below)| [cost(*above), cost(*below)]).collect();
+            let sums = running(pairs);
+            let all = sums.last().map_or(0.0, |last| last[1]);
             for (row, sum) in costs.iter_mut().enumerate() {
                 let around = shape.around(row);
-                *sum += upper[around.start] + all - lower[around.end];
+                *sum += sums[around.start][0] + all - sums[around.end][1];
             }
             for along in 0..shape.window() {
                 let moving = self.moving[channel * shape.window() + along];
@@ -304,13 +305,23 @@ impl Regions {
     }
 }
 
-/// Cumulative sums, starting with 0.
-fn running(values: impl Iterator<Item = f32>) -> Vec<f32> {
-    let mut sum = 0.0;
-    std::iter::once(0.0)
-        .chain(values.map(|value| {
-            sum += value;
+/// Cumulative sums of pairs, starting with 0.
+fn running(values: Vec<[f32; 2]>) -> Vec<[f32; 2]> {
+    let mut sum = [0.0; 2];
+    std::iter::once(sum)
+        .chain(values.into_iter().map(|[one, other]| {
+            sum = [sum[0] + one, sum[1] + other];
             sum
         }))
         .collect()
+}
+
+/// Sum in double precision, in four parts that do not wait for one another.
+fn sum(values: &[f32]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (parts, rest) = values.as_chunks::<4>();
+    for part in parts {
+        sums.iter_mut().zip(part).for_each(|(sum, value)| *sum += f64::from(*value));
+    }
+    sums.iter().sum::<f64>() + rest.iter().copied().map(f64::from).sum::<f64>()
 }

@@ -104,6 +104,8 @@ struct Trial {
     sums: Sums,
     round: usize,
     costs: Vec<Vec<f32>>,
+    /// Least total cost up to each row of each frame.
+    forward: Vec<Vec<f32>>,
     left: f64,
 }
 
@@ -116,7 +118,6 @@ pub(crate) struct Seeking {
     residues: Vec<Vec<f32>>,
     starts: Vec<Vec<usize>>,
     best: Option<Box<Trial>>,
-    forward: Vec<Vec<f32>>,
     /// Rows that the surface passes.
     passed: std::ops::Range<usize>,
     certainties: Vec<Certainty>,
@@ -134,7 +135,6 @@ impl Seeking {
             residues: Vec::new(),
             starts: Vec::new(),
             best: None,
-            forward: Vec::new(),
             passed: 0..0,
             certainties: Vec::new(),
             favourite: 0,
@@ -209,6 +209,7 @@ impl Seeking {
                     self.at = 0;
                     if trial.round < ROUNDS {
                         trial.costs.clear();
+                        trial.forward.clear();
                         Stage::Costs(trial, self.search())
                     } else {
                         self.compare(trial)
@@ -220,6 +221,7 @@ impl Seeking {
                     let costs = trial.regions.costs(values);
                     search.take(&costs, *reach, *fixed);
                     trial.costs.push(costs);
+                    trial.forward.push(search.sums().to_vec());
                     Stage::Costs(trial, search)
                 }
                 None => {
@@ -271,8 +273,8 @@ impl Seeking {
             }
             let regions = Regions::new(self.sought.shape);
             let sums = regions.sums();
-            let (costs, left) = (Vec::new(), f64::INFINITY);
-            return Stage::Regions(Box::new(Trial { path, sums, regions, round: 0, costs, left }));
+            let (costs, forward, left) = (Vec::new(), Vec::new(), f64::INFINITY);
+            return Stage::Regions(Box::new(Trial { path, sums, regions, round: 0, costs, forward, left }));
         }
         self.residues.clear();
         Stage::Back(self.search())
@@ -285,25 +287,17 @@ impl Seeking {
         self.next()
     }
 
-    /// Repeats the forward search with stored sums, then searches backwards: together they give the least cost of a
-    /// path through each row of each frame.
+    /// Searches backwards: together with the forward search this gives the least cost of a path through each row of each
+    /// frame.
     fn back(&mut self, mut search: Search, signals: &[Vec<f32>]) -> Stage {
         let Some(best) = &self.best else { return Stage::Finished };
         let frames = best.costs.len();
         let limit = |frame: usize| self.sought.limits.get(frame).copied().unwrap_or((0, None));
-        if self.forward.len() < frames {
-            let at = self.forward.len();
-            let (reach, fixed) = limit(at);
-            search.take(&best.costs[at], reach, fixed);
-            self.forward.push(search.sums().to_vec());
-            return if self.forward.len() < frames { Stage::Back(search) } else { Stage::Back(self.search()) };
-        }
         if self.certainties.is_empty() {
             self.passed = passed(&best.path);
         }
         let Some(at) = frames.checked_sub(self.certainties.len() + 1) else {
             self.certainties.reverse();
-            self.forward.clear();
             let costs = best.costs.get(self.sought.clicked.0);
             let least = costs.and_then(|costs| costs.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1)));
             self.favourite = least.map_or(0, |least| least.0);
@@ -314,7 +308,7 @@ impl Seeking {
         let reach = limit(at + 1).0;
         search.take(own, reach, limit(at).1);
         let row = best.path[at];
-        let through = |row: usize| self.forward[at][row] + search.sums()[row] - own[row];
+        let through = |row: usize| best.forward[at][row] + search.sums()[row] - own[row];
         let rows = self.sought.shape.rows;
         let elsewhere = (0..row.saturating_sub(ELSEWHERE)).chain((row + ELSEWHERE + 1).min(rows)..rows);
         let other = elsewhere.map(|row| (row, through(row))).min_by(|a, b| a.1.total_cmp(&b.1));

@@ -6,8 +6,6 @@ use crate::tracking::similarity::Similarity;
 
 /// Steps per grey value.
 const STEPS: f64 = 256.0;
-/// Largest stored value, in these steps.
-const LARGEST: f64 = 65_535.0;
 /// Maximum number of values compared per pair of strips.
 const COMPARED: usize = 1500;
 
@@ -84,12 +82,13 @@ impl Strip {
         if line.direction == [0.0, 1.0] && line.origin[1] >= 0.5 && (line.origin[1] - 0.5).fract() == 0.0 {
             // Fast path: all rows of the strip are rows of the picture, with the same columns in a bin.
             let places = |bin| (0..samples as usize).map(move |sample| line.origin[0] + across(bin, sample));
-            let bins: Vec<Vec<(usize, f64)>> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
+            let bins: Vec<(usize, Vec<f64>)> = (0..grid.bins).map(|bin| weights(places(bin), plane.width())).collect();
             for row in (line.origin[1] as usize..plane.height()).take(grid.rows) {
                 let pixels = plane.grey().get(row * plane.width()..).unwrap_or_default();
-                for bin in &bins {
-                    let sum: f64 = bin.iter().map(|(column, weight)| weight * f64::from(pixels[*column])).sum();
-                    grey.push((sum / samples * STEPS).round() as u16);
+                for (first, weights) in &bins {
+                    let pixels = weights.iter().zip(pixels.get(*first..).unwrap_or_default());
+                    let sum: f64 = pixels.map(|(weight, pixel)| weight * f64::from(*pixel)).sum();
+                    grey.push(rounded(sum / samples * STEPS));
                 }
             }
         }
@@ -99,7 +98,7 @@ impl Strip {
                 let place =
                     |sample| plane.linear(x + across(bin, sample) * normal[0], y + across(bin, sample) * normal[1]);
                 let sum: f64 = (0..samples as usize).map(place).sum();
-                grey.push((sum / samples * STEPS).round() as u16);
+                grey.push(rounded(sum / samples * STEPS));
             }
         }
         Strip { frame, time, line, camera, grey }
@@ -115,7 +114,7 @@ impl Strip {
     /// Replaces the grey value of a row and a bin.
     pub(crate) fn set(&mut self, grid: Grid, (row, bin): (usize, usize), value: f64) {
         if let Some(grey) = self.grey.get_mut(row * grid.bins + bin) {
-            *grey = (value * STEPS).round().clamp(0.0, LARGEST) as u16;
+            *grey = rounded(value * STEPS);
         }
     }
 
@@ -133,7 +132,7 @@ impl Strip {
         let ratios = pairs.filter(|(_, first)| **first > 0).map(|(own, first)| f64::from(*own) / f64::from(*first));
         let ratio = median(ratios.collect());
         if ratio > 0.0 && ratio != 1.0 {
-            self.grey.iter_mut().for_each(|value| *value = (f64::from(*value) / ratio).min(LARGEST).round() as u16);
+            self.grey.iter_mut().for_each(|value| *value = rounded(f64::from(*value) / ratio));
         }
     }
 
@@ -142,6 +141,12 @@ impl Strip {
         let mean = |row| self.values(grid, row, bins).sum::<f64>() / (bins.1 - bins.0) as f64;
         (0..grid.rows).map(|row| mean(row) as f32).collect()
     }
+}
+
+/// Nearest value that can be stored. Faster than `round`, which is a call on some targets.
+fn rounded(value: f64) -> u16 {
+    let whole = value as u16;
+    whole.saturating_add(u16::from(value - f64::from(whole) >= 0.5))
 }
 
 /// Appends to the values of some channels the differences of rows two apart, in which broad reflections vanish.
@@ -155,19 +160,22 @@ pub(crate) fn with_differences(mut values: Vec<f32>, rows: usize) -> Vec<f32> {
     values
 }
 
-/// Weights of the pixels of a row in the sum of interpolated values at some places (px).
-fn weights(places: impl Iterator<Item = f64>, width: usize) -> Vec<(usize, f64)> {
+/// First pixel, and weights of it and its successors, in the sum of interpolated values at some places (px), which are
+/// ascending and at most a pixel apart.
+fn weights(places: impl Iterator<Item = f64>, width: usize) -> (usize, Vec<f64>) {
     let last = width.saturating_sub(1);
-    let mut weights: Vec<(usize, f64)> = Vec::new();
+    let (mut first, mut weights) = (None, Vec::new());
     for place in places {
         let at = (place - 0.5).max(0.0).min(last as f64);
         let (column, right) = (at as usize, at.fract());
+        let first = *first.get_or_insert(column);
         for (column, weight) in [(column, 1.0 - right), ((column + 1).min(last), right)] {
-            match weights.iter_mut().find(|one| one.0 == column) {
-                Some(one) => one.1 += weight,
-                None => weights.push((column, weight)),
+            let along = column - first;
+            if weights.len() <= along {
+                weights.resize(along + 1, 0.0);
             }
+            weights[along] += weight;
         }
     }
-    weights
+    (first.unwrap_or(0), weights)
 }

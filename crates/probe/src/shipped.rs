@@ -48,7 +48,8 @@ impl Shipped {
     pub fn emit_side_by_side(&mut self) -> Result<(), String> {
         let rate = self.model.states.first().map(|state| state.derivative).ok_or("no states")?;
         let compile = |listing: &_| host::compile_side_by_side(listing).ok();
-        let runs = side_by_side(&self.model, &self.setup, &[rate], compile).ok_or("runs are made one by one")?;
+        let runs = side_by_side(&self.model, &self.setup, &[rate], compile, |listing| host::compile(Ok(listing)).ok())
+            .ok_or("runs are made one by one")?;
         self.side_by_side = Some(runs);
         Ok(())
     }

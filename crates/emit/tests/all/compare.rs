@@ -1,7 +1,9 @@
 //! Comparison of an emitted run with an interpreted one.
 
 use crate::host::Instance;
-use engine::{Method, Progress, ROUNDING, Readings, Run, Setup, Stepper, side_by_side};
+use engine::{
+    Compiled, LanesListing, Listing, Method, Progress, ROUNDING, Readings, Run, Setup, Stepper, side_by_side,
+};
 use program::{Model, NodeId};
 use std::rc::Rc;
 
@@ -43,10 +45,15 @@ pub fn compare_side_by_side(model: &Model, setup: &Setup, rows: usize) -> Option
     if nodes.is_empty() {
         return None;
     }
-    let mut lanes = side_by_side(model, setup, &nodes, |listing| {
+    let alone = |listing: Listing| {
+        let module = emit::module(&listing).ok()?;
+        Some(Rc::new(Instance::new(&module, &listing)) as Rc<dyn Compiled>)
+    };
+    let compile = |listing: &LanesListing| {
         let module = emit::side_by_side(listing).ok()?;
-        Some(Rc::new(Instance::side_by_side(&module, listing)))
-    })?;
+        Some(Rc::new(Instance::side_by_side(&module, listing)) as Rc<dyn Compiled>)
+    };
+    let mut lanes = side_by_side(model, setup, &nodes, compile, alone)?;
     let with_parameters = |run: usize| {
         let mut parameters = setup.parameters.clone();
         parameters.iter_mut().take(1).for_each(|parameter| *parameter *= 1.0 + 0.01 * run as f64);

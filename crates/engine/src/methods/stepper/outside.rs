@@ -44,6 +44,7 @@ impl Stepper {
 
     /// Writes all that determines how the run continues to the places of a window, for compiled code.
     pub(crate) fn write_to(&mut self, layout: &WindowLayout, mut put: impl FnMut(usize, &[f64])) {
+        self.catch_up();
         put(0, self.equations.registers());
         for (number, registers) in self.surfaces.registers().into_iter().enumerate() {
             // Formulas that are not checked are not listed.

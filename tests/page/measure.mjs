@@ -81,6 +81,8 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
   }
   // Each document with its own method: nanoseconds of a row interpreted and in emitted code, or why it is interpreted.
   best.shipped = {};
+  // How many times as fast 64 runs side by side are as emitted runs one by one, or why they are none.
+  best.lanes = {};
   for (const [name, text] of Object.entries(shipped)) {
     const [machine, emitted] = [new probe.Shipped(text), new probe.Shipped(text)];
     try {
@@ -101,6 +103,21 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
     for (let round = 0; round < rounds; round += 1) {
       least[0] = Math.min(least[0], time(machine, rows));
       least[1] = Math.min(least[1], time(emitted, rows));
+    }
+    try {
+      emitted.emit_side_by_side();
+      // The browser compiles the code again, for speed, while it runs.
+      const warm = performance.now() + 300;
+      while (performance.now() < warm) emitted.rows_side_by_side(rows);
+      let beside = Infinity;
+      for (let round = 0; round < rounds; round += 1) {
+        const start = performance.now();
+        emitted.rows_side_by_side(rows);
+        beside = Math.min(beside, performance.now() - start);
+      }
+      best.lanes[name] = least[1] / beside;
+    } catch (reason) {
+      best.lanes[name] = reason;
     }
     best.shipped[name] = least.map((milliseconds) => (milliseconds / rows) * 1e6);
   }
@@ -144,6 +161,10 @@ function sayPace(best) {
       say(`shipped-${name}`, times[0] / times[1]);
       say(`row-${name}`, times[1]);
     } else console.log(`interpreted: ${name}: ${times}`);
+  }
+  for (const [name, times] of Object.entries(best.lanes)) {
+    if (typeof times === "number") say(`lanes-${name}`, times);
+    else console.log(`one by one: ${name}: ${times}`);
   }
   say("fit-formula", best.formula);
   say("fit-motion", best.motion);

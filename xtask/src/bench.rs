@@ -150,6 +150,10 @@ fn found_ratios(native: &Numbers, web: &Numbers) -> Ratios {
     }
     let emitted = web.iter().filter_map(|(name, times)| Some((name.strip_prefix("shipped-")?, times)));
     found.extend(emitted.map(|(document, times)| (format!("{document}, emitted to interpreted"), *times)));
+    let lanes = web.iter().filter_map(|(name, times)| Some((name.strip_prefix("lanes-")?, times)));
+    found.extend(
+        lanes.map(|(document, times)| (format!("64 runs of {document} side by side to emitted ones alone"), *times)),
+    );
     found
 }
 
@@ -209,6 +213,11 @@ fn emitted_rows(numbers: &Numbers) {
             let row_time = numbers.get(&format!("row-{document}")).copied().unwrap_or(f64::NAN);
             let aim = format!("at least 2; {row_time:.0} ns a row");
             row(&format!("{document} in emitted code"), *times, "times as fast", &aim);
+        }
+    }
+    for (name, times) in numbers {
+        if let Some(document) = name.strip_prefix("lanes-") {
+            row(&format!("64 runs of {document} side by side"), *times, "times as fast as emitted runs alone", "");
         }
     }
 }
@@ -313,7 +322,9 @@ fn pace_in_wasm(browser: Option<std::path::PathBuf>, pages: &[(&str, std::path::
         measure.env("CHROME", browser);
     }
     let text = steps::output(&mut measure)?;
-    text.lines().filter(|line| line.starts_with("interpreted: ")).for_each(|line| println!("{line}"));
+    text.lines()
+        .filter(|line| line.starts_with("interpreted: ") || line.starts_with("one by one: "))
+        .for_each(|line| println!("{line}"));
     Ok(numbers(&text))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::function::Function;
 use crate::interpolation;
-use engine::{Line, Operation, WindowListing};
+use engine::{Line, Listing, Operation, WindowListing};
 use program::{Binary, Interpolation, Unary};
 use std::sync::Arc;
 
@@ -14,20 +14,23 @@ pub(crate) struct Calls {
 }
 
 impl Calls {
-    /// The functions that operations call. `interpolations` are those of their listing.
-    pub fn of<'a>(lines: impl Iterator<Item = &'a Line>, interpolations: &[Arc<Interpolation>]) -> Self {
+    /// The functions that the steps of a listing call, and operations that are done besides.
+    pub fn of(listing: &Listing, besides: &[Line]) -> Self {
         let mut calls = Self::default();
+        let formulas = listing.window.iter().flat_map(|window| &window.formulas);
+        let lines = listing.lines.iter().chain(formulas.flat_map(|formulas| &formulas.lines)).chain(besides);
         for function in lines.filter_map(called) {
-            let list = if is_own(interpolations, function) { &mut calls.own } else { &mut calls.imported };
+            let list = if is_own(&listing.interpolations, function) { &mut calls.own } else { &mut calls.imported };
             if !list.contains(&function) {
                 list.push(function);
             }
         }
+        listing.window.iter().for_each(|window| calls.control_steps(window));
         calls
     }
 
     /// Adds the functions of the step control of a window.
-    pub fn control_steps(&mut self, window: &WindowListing) {
+    fn control_steps(&mut self, window: &WindowListing) {
         self.imported.extend([Function::Growth, Function::Shrinkage]);
         if window.layout.compared > 0 {
             self.imported.push(Function::SignChanges);

@@ -1,9 +1,10 @@
 //! Checks that nothing happens in an interval: no timed switch changes, no compared values allow an event or switch between
-//! the ends, and all conditions and switches are the same at the end. Where one fails the code leaves the window.
+//! the ends, and all conditions and switches are the same at the end. Where one fails the code leaves the window; of runs side by side, each is marked.
 
+use crate::arithmetic::Where;
 use crate::body::Body;
 use crate::function::Function;
-use crate::sink::{Local, Sink};
+use crate::sink::{Local, Sink, Values};
 use crate::step::Step;
 use engine::{CHECKS, WindowListing};
 
@@ -15,8 +16,10 @@ pub(crate) struct Checks<'a> {
     compared: Body<'a>,
     slopes: Body<'a>,
     /// Required truth of each condition: 0 if it is armed.
-    armed: Vec<Local>,
+    pub armed: Vec<Local>,
     truths: Vec<Local>,
+    /// Condition that a check has failed, in code for pairs.
+    pub failed: Local,
     held: Vec<Local>,
     found: Vec<Local>,
     /// Timed switches at both ends.
@@ -56,6 +59,7 @@ impl<'a> Checks<'a> {
             slopes,
             armed,
             truths: sink.locals(layout.events),
+            failed: sink.local(),
             held,
             found: sink.locals(layout.switches),
             times: std::array::from_fn(|_| sink.locals(timed_count)),
@@ -76,26 +80,63 @@ impl<'a> Checks<'a> {
         self.timed.evaluate_at(sink, step.time, &step.present, before);
         self.timed.evaluate_at(sink, until, &step.present, after);
         for (&before, &after) in before.iter().zip(after) {
-            sink.instructions().local_get(before).local_get(after).f64_ne();
-            sink.leave_if();
+            sink.get(before);
+            sink.get(after);
+            sink.not_equal();
+            self.reject(sink);
         }
         self.search(sink, step, until, next);
         self.conditions.evaluate_at(sink, until, next, &self.truths);
         for (&armed, &truth) in self.armed.iter().zip(&self.truths) {
-            // One of both is true: armed and false, or disarmed and still true.
-            sink.instructions().local_get(armed).f64_const(0.0.into()).f64_ne();
-            sink.instructions().local_get(truth).f64_const(0.0.into()).f64_ne().i32_eq();
-            sink.leave_if();
+            for value in [armed, truth] {
+                sink.get(value);
+                sink.constant(0.0);
+                sink.not_equal();
+            }
+            match sink.values() {
+                // One of both is true: armed and false, or disarmed and still true.
+                Values::Numbers => drop(sink.instructions().i32_eq()),
+                // Runs side by side arm events whose conditions have become false.
+                Values::Pairs => sink.both(),
+            }
+            self.reject(sink);
         }
         self.switches.evaluate_at(sink, until, next, &self.found);
         for (&held, &found) in self.held.iter().zip(&self.found) {
-            sink.instructions().local_get(held).local_get(found).f64_ne();
-            sink.leave_if();
+            sink.get(held);
+            sink.get(found);
+            sink.not_equal();
+            self.reject(sink);
         }
+    }
+
+    /// Pops the condition that a check fails, where the code leaves; runs side by side that fail are marked.
+    fn reject(&self, sink: &mut Sink) {
+        match sink.values() {
+            Values::Numbers => sink.leave_if(),
+            Values::Pairs => {
+                sink.get(self.failed);
+                sink.either();
+                sink.set(self.failed);
+            }
+        }
+    }
+
+    /// Goes on to the next interval after the one that was checked.
+    pub fn pass(&self, sink: &mut Sink, condition: Where) {
         let [low, high] = &self.ends;
         for (&low, &high) in low.iter().zip(high) {
             sink.get(high);
-            sink.set(low);
+            sink.assign(low, condition);
+        }
+        if sink.values() == Values::Pairs {
+            for (&armed, &truth) in self.armed.iter().zip(&self.truths) {
+                sink.get(truth);
+                sink.constant(0.0);
+                sink.equal();
+                sink.truth();
+                sink.assign(armed, condition);
+            }
         }
     }
 
@@ -106,11 +147,19 @@ impl<'a> Checks<'a> {
             return;
         }
         let [size, moment] = std::array::from_fn(|_| sink.local());
+        let slopes: [Local; 2] = std::array::from_fn(|_| sink.local());
         self.slopes.evaluate_at(sink, until, next, high);
-        sink.instructions().local_get(until).local_get(step.time).f64_sub().local_set(size);
+        sink.get(until);
+        sink.get(step.time);
+        sink.subtract();
+        sink.set(size);
         for (part, values) in CHECKS.into_iter().zip(&self.between) {
             sink.get(step.time);
-            sink.instructions().f64_const(part.into()).local_get(size).f64_mul().f64_add().local_set(moment);
+            sink.constant(part);
+            sink.get(size);
+            sink.multiply();
+            sink.add();
+            sink.set(moment);
             step.state_at(sink, moment, &self.probe);
             self.compared.evaluate_at(sink, moment, &self.probe, values);
         }
@@ -118,18 +167,21 @@ impl<'a> Checks<'a> {
         let [first, second] = &self.between;
         sink.constant(0.0);
         for number in 0..count {
-            sink.get(low[number]);
-            sink.get(high[number]);
-            for end in [low, high] {
-                sink.instructions().local_get(size).local_get(end[count + number]).f64_mul();
+            for (&slope, end) in slopes.iter().zip([low, high]) {
+                sink.get(size);
+                sink.get(end[count + number]);
+                sink.multiply();
+                sink.set(slope);
             }
-            sink.get(first[number]);
-            sink.get(second[number]);
-            sink.call(Function::SignChanges);
+            let [leaving, arriving] = slopes;
+            let operands = [low[number], high[number], leaving, arriving, first[number], second[number]];
+            sink.call_at(Function::SignChanges, &operands);
             sink.add();
         }
         // Between two changes of sign there would be a moment to look at; the comparison also covers NaN.
-        sink.instructions().f64_const(1.0.into()).f64_le().i32_eqz();
-        sink.leave_if();
+        sink.constant(1.0);
+        sink.less_or_equal();
+        sink.negate_condition();
+        self.reject(sink);
     }
 }

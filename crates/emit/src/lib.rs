@@ -10,8 +10,10 @@ mod arithmetic;
 mod body;
 mod calls;
 mod checks;
+mod control;
 mod function;
 mod interpolation;
+mod lanes;
 mod methods;
 mod sink;
 mod step;
@@ -54,19 +56,14 @@ pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
     if operations > MOST_OPERATIONS {
         return Err(TooManyOperations(operations));
     }
-    let formulas = listing.window.iter().flat_map(|window| &window.formulas);
-    let lines = listing.lines.iter().chain(formulas.flat_map(|formulas| &formulas.lines));
-    let mut calls = Calls::of(lines, &listing.interpolations);
-    if let Some(window) = &listing.window {
-        calls.control_steps(window);
-    }
+    let calls = Calls::of(listing, &[]);
     let mut sink = Sink::new(Values::Numbers, &calls);
     methods::steps(listing, &mut sink);
     Ok(with_functions(sink.finish(), calls, &listing.interpolations))
 }
 
 /// Emits the steps of runs side by side, for [`engine::SideBySide`]. Browsers need SIMD for it. `run` takes the address of the numbers
-/// of the first pair and the number of steps, at least 1, and returns it.
+/// of the first pair and the number of steps or rounds, at least 1, and returns that of those made.
 ///
 /// # Errors
 /// The step has too many operations.
@@ -76,7 +73,7 @@ pub fn side_by_side(listing: &LanesListing) -> Result<Module, TooManyOperations>
     if operations > MOST_OPERATIONS {
         return Err(TooManyOperations(operations));
     }
-    let calls = Calls::of(steps.lines.iter().chain(&readings.lines), &steps.interpolations);
+    let calls = Calls::of(steps, &readings.lines);
     let mut sink = Sink::new(Values::Pairs, &calls);
     methods::steps_side_by_side(listing, &mut sink);
     Ok(with_functions(sink.finish(), calls, &steps.interpolations))

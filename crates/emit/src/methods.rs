@@ -3,7 +3,7 @@
 
 use crate::body::Body;
 use crate::sink::{Local, Sink};
-use crate::window;
+use crate::{lanes, window};
 use engine::tableau::STAGES;
 use engine::{LANES, LanesListing, Listing, Method, WindowListing};
 
@@ -43,6 +43,9 @@ pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
 
 /// Emits the loop over the steps of runs side by side.
 pub(crate) fn steps_side_by_side(listing: &LanesListing, sink: &mut Sink) {
+    if let Some(window) = &listing.steps.window {
+        return lanes::rounds(listing, window, sink);
+    }
     let layout = listing.layout;
     sink.repeat_for_pairs(LANES / 2, layout.places(), layout.values, |sink| {
         let step = Step::load(&listing.steps, sink);

@@ -28,8 +28,10 @@ const ROW: u32 = 3;
 const RECORD: u32 = 4;
 /// Number of pairs whose step is made.
 const PAIR: u32 = 5;
+/// 1 if a run of a pair has paused.
+const PAUSED: u32 = 6;
 /// First local variable with a value.
-const FIRST_LOCAL: u32 = 6;
+const FIRST_LOCAL: u32 = 7;
 
 /// Number of blocks, loops and conditions around the instructions in one of these.
 pub(crate) type Label = u32;
@@ -236,12 +238,6 @@ impl<'a> Sink<'a> {
         self.leave_if();
     }
 
-    /// Calls a function with numbers on the stack.
-    pub fn call(&mut self, function: Function) {
-        let number = self.calls.number(function);
-        self.instructions().call(number);
-    }
-
     /// Pushes the value of a function at local variables.
     pub fn call_at(&mut self, function: Function, operands: &[Local]) {
         let number = self.calls.number(function);
@@ -294,6 +290,7 @@ impl<'a> Sink<'a> {
     pub fn repeat_for_pairs(&mut self, pairs: usize, numbers: usize, row: usize, step: impl FnOnce(&mut Self)) {
         let size = self.size();
         let bytes = |numbers: usize| (size * numbers) as i32;
+        self.depth += 2;
         self.instructions().loop_(BlockType::Empty).i32_const(0).local_set(PAIR).loop_(BlockType::Empty);
         step(self);
         self.instructions().local_get(BLOCK).i32_const(bytes(numbers)).i32_add().local_set(BLOCK);
@@ -302,7 +299,36 @@ impl<'a> Sink<'a> {
         self.instructions().local_get(BLOCK).i32_const(bytes(pairs * numbers)).i32_sub().local_set(BLOCK);
         self.instructions().local_get(ROW).i32_const(bytes(row)).i32_add().local_set(ROW);
         self.instructions().local_get(MADE).i32_const(1).i32_add().local_tee(MADE);
-        self.instructions().local_get(COUNT).i32_lt_u().br_if(0).end();
+        self.instructions().local_get(COUNT).i32_lt_u().local_get(PAUSED).i32_eqz().i32_and().br_if(0).end();
+        self.depth -= 2;
+    }
+
+    /// Pushes the condition that a comparison of pairs, which it pops, holds of any run.
+    pub fn any(&mut self) {
+        self.instructions().v128_any_true();
+    }
+
+    /// Ends [`Sink::repeat_for_pairs`] after the last pair.
+    pub fn pause(&mut self) {
+        self.instructions().i32_const(1).local_set(PAUSED);
+    }
+
+    /// Stores the values of one run of a pair from `place` on, counted in a row. `row`: number of the row in the first values of the
+    /// block, for each run; `length`: number of places in a row.
+    pub fn store_run_in_row(&mut self, run: u8, place: usize, (row, length): (Local, usize), values: &[Local]) {
+        let bytes = (self.size() * length) as i32;
+        self.instructions().local_get(row).f64x2_extract_lane(run).i32_trunc_sat_f64_u();
+        self.instructions().i32_const(bytes).i32_mul().local_get(BLOCK).i32_add().local_set(ROW);
+        for (number, &value) in values.iter().enumerate() {
+            let address =
+                MemArg { offset: (self.size() * (place + number) + 8 * usize::from(run)) as u64, ..self.at(0) };
+            self.instructions().local_get(ROW).local_get(value).v128_store64_lane(address, run);
+        }
+    }
+
+    /// Pushes the condition that a comparison holds of a run of a pair.
+    pub fn holds_of(&mut self, condition: Local, run: u8) {
+        self.instructions().local_get(condition).i32x4_extract_lane(2 * run);
     }
 
     /// The function `run`, which returns the number of steps or rows made.

@@ -1,40 +1,44 @@
 //! Steps of the Dormand-Prince method with step control and continuous solution, as the engine makes them
 //! (`engine/methods/adaptive.rs`, `engine/methods/dormand_prince.rs`), with the same operations in the same order.
 
+use crate::arithmetic::Where;
 use crate::body::Body;
 use crate::function::Function;
-use crate::sink::{Local, Sink};
+use crate::sink::{Local, Sink, Values};
 use engine::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
 use engine::{Listing, WindowLayout};
 
 /// The steps: local variables of the last one, of the state, and of the attempt that is made.
 pub(crate) struct Step<'a> {
     body: Body<'a>,
-    moving: Vec<usize>,
+    pub moving: Vec<usize>,
     /// Time reached, and the state there.
     pub time: Local,
     pub present: Vec<Local>,
     /// Start, size and end of the last step.
     start: Local,
-    size: Local,
+    /// In an attempt, its size.
+    pub size: Local,
     pub end: Local,
-    proposed: Local,
+    pub proposed: Local,
+    /// Error of the last step, and of the attempt.
     error: Local,
-    longest: Local,
+    pub found: Local,
+    /// Factor by which the step after the attempt may grow.
+    growth: Local,
+    pub longest: Local,
     tolerance: Local,
     below_peak: Local,
-    attempts: Local,
-    /// Number of steps made.
-    pub steps: Local,
     /// State at the end of the last step.
-    to: Vec<Local>,
-    peaks: Vec<Local>,
+    pub to: Vec<Local>,
+    pub peaks: Vec<Local>,
     floors: Vec<Local>,
-    errors: Vec<Local>,
+    /// Estimated errors of the attempt.
+    pub errors: Vec<Local>,
     /// Coefficients of the continuous solution, by degree.
-    dense: [Vec<Local>; 5],
-    /// Rates of each stage.
-    rates: Vec<Vec<Local>>,
+    pub dense: [Vec<Local>; 5],
+    /// Rates of each stage. After a step the first and the last ones are equal.
+    pub rates: Vec<Vec<Local>>,
 }
 
 impl<'a> Step<'a> {
@@ -59,7 +63,7 @@ impl<'a> Step<'a> {
         let mut rates = vec![first];
         rates.extend((1..STAGES).map(|_| sink.locals(states)));
         let errors = sink.locals(states);
-        let [attempts, steps] = std::array::from_fn(|_| sink.local());
+        let [found, growth] = std::array::from_fn(|_| sink.local());
         Self {
             body,
             moving,
@@ -70,11 +74,11 @@ impl<'a> Step<'a> {
             end,
             proposed,
             error,
+            found,
+            growth,
             longest,
             tolerance,
             below_peak,
-            attempts,
-            steps,
             to,
             peaks,
             floors,
@@ -84,65 +88,47 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Makes a step from the end of the last one, or the single attempt of the size given.
-    pub fn make(&self, sink: &mut Sink, layout: WindowLayout) {
-        let [most, growth, found] = std::array::from_fn(|_| sink.local());
-        sink.count();
-        sink.begin_if();
-        sink.get(self.steps);
-        sink.constant(layout.steps as f64);
-        sink.instructions().f64_ge();
-        sink.leave_if();
-        sink.instructions().local_get(self.proposed).local_get(self.longest).f64_min().local_set(self.size);
-        sink.end();
-        sink.constant(10.0);
-        sink.set(most);
-        sink.begin_block();
-        let accepted = sink.label();
-        sink.begin_repeat();
-        let again = sink.label();
-        sink.increase(self.attempts);
-        self.attempt(sink);
-        sink.count();
-        sink.instructions().i32_eqz();
-        sink.branch_if(accepted);
-        self.error_norm(sink, found);
-        sink.instructions().local_get(found).f64_const(1.0.into()).f64_le();
-        sink.begin_if();
-        sink.get(self.error);
-        sink.get(found);
-        sink.call(Function::Growth);
-        sink.instructions().f64_const(0.2.into()).f64_max().local_get(most).f64_min().local_set(growth);
-        sink.instructions().local_get(found).f64_const(1e-4.into()).f64_max().local_set(self.error);
-        sink.branch(accepted);
-        sink.end();
-        self.shrink(sink, found);
-        sink.constant(1.0);
-        sink.set(most);
-        sink.branch(again);
-        sink.end();
-        sink.end();
-        self.accept(sink, layout, growth);
+    /// Sets the error of an attempt in units of the allowed error, and the factor by which the step after it may grow, at most `most`.
+    pub fn find_growth(&self, sink: &mut Sink, most: Local) {
+        sink.call_at(Function::Growth, &[self.error, self.found]);
+        sink.constant(0.2);
+        sink.maximum();
+        sink.get(most);
+        sink.minimum();
+        sink.set(self.growth);
     }
 
-    /// Reduces the size after an error that is not allowed. Leaves if it is too small.
-    fn shrink(&self, sink: &mut Sink, found: Local) {
+    /// Reduces the size where an error is not allowed. `stall` pops the condition that it is as small as it can be.
+    pub fn shrink(&self, sink: &mut Sink, condition: Where, stall: impl FnOnce(&mut Sink)) {
         let [smallest, shrinkage] = std::array::from_fn(|_| sink.local());
         sink.constant(16.0 * f64::EPSILON);
-        sink.instructions().local_get(self.end).f64_abs().f64_const((f64::MIN_POSITIVE / f64::EPSILON).into());
-        sink.instructions().f64_max().f64_mul().local_set(smallest);
-        sink.instructions().local_get(self.size).local_get(smallest).f64_le();
-        sink.leave_if();
-        sink.get(found);
-        sink.call(Function::Shrinkage);
+        sink.get(self.end);
+        sink.absolute();
+        sink.constant(f64::MIN_POSITIVE / f64::EPSILON);
+        sink.maximum();
+        sink.multiply();
+        sink.set(smallest);
+        sink.get(self.size);
+        sink.get(smallest);
+        sink.less_or_equal();
+        stall(sink);
+        sink.call_at(Function::Shrinkage, &[self.found]);
         sink.set(shrinkage);
-        sink.instructions().local_get(self.size).local_get(shrinkage).f64_const(0.2.into()).local_get(shrinkage);
-        sink.instructions().f64_const(0.2.into()).f64_gt().select().f64_mul();
-        sink.instructions().local_get(smallest).f64_max().local_set(self.size);
+        sink.get(self.size);
+        sink.get(shrinkage);
+        sink.constant(0.2);
+        sink.get(shrinkage);
+        sink.constant(0.2);
+        sink.greater();
+        sink.choose();
+        sink.multiply();
+        sink.get(smallest);
+        sink.maximum();
+        sink.assign(self.size, condition);
     }
 
     /// One attempt: the result in the arguments of the right-hand side, and its error.
-    fn attempt(&self, sink: &mut Sink) {
+    pub fn attempt(&self, sink: &mut Sink) {
         for (k, &to) in self.to.iter().enumerate() {
             // The sum of rates of a constant state is 0.
             sink.get(to);
@@ -159,7 +145,9 @@ impl<'a> Step<'a> {
                 sink.add();
                 sink.set(self.body.state(k));
             }
-            sink.instructions().local_get(self.end).f64_const(NODES[stage].into()).local_get(self.size);
+            sink.get(self.end);
+            sink.constant(NODES[stage]);
+            sink.get(self.size);
             sink.multiply();
             sink.add();
             sink.set(self.body.time());
@@ -173,8 +161,8 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Error in units of the allowed error: root mean square over the states. That of a constant state is 0.
-    fn error_norm(&self, sink: &mut Sink, norm: Local) {
+    /// Sets the error in units of the allowed error: root mean square over the states. That of a constant state is 0.
+    pub fn find_error(&self, sink: &mut Sink) {
         let [ratio, result] = std::array::from_fn(|_| sink.local());
         sink.constant(0.0);
         for &k in &self.moving {
@@ -182,72 +170,105 @@ impl<'a> Step<'a> {
             sink.set(result);
             sink.get(self.errors[k]);
             sink.get(self.tolerance);
-            sink.instructions().local_get(self.to[k]).f64_abs().local_get(result).f64_abs().f64_max();
-            sink.instructions().local_get(self.below_peak).local_get(self.peaks[k]).f64_mul().f64_max();
-            sink.instructions().local_get(self.floors[k]).f64_max().f64_mul().f64_div().local_set(ratio);
-            sink.instructions().local_get(ratio).local_get(ratio).f64_mul().f64_const(f64::NAN.into());
+            sink.get(self.to[k]);
+            sink.absolute();
+            sink.get(result);
+            sink.absolute();
+            sink.maximum();
+            sink.get(self.below_peak);
+            sink.get(self.peaks[k]);
+            sink.multiply();
+            sink.maximum();
+            sink.get(self.floors[k]);
+            sink.maximum();
+            sink.multiply();
+            sink.divide();
+            sink.set(ratio);
+            sink.get(ratio);
+            sink.get(ratio);
+            sink.multiply();
+            sink.constant(f64::NAN);
             // x - x is 0 for finite numbers only.
-            sink.instructions().local_get(result).local_get(result).f64_sub().f64_const(0.0.into()).f64_eq().select();
+            sink.get(result);
+            sink.get(result);
+            sink.subtract();
+            sink.constant(0.0);
+            sink.equal();
+            sink.choose();
             sink.add();
         }
         sink.constant(self.to.len().max(1) as f64);
-        sink.instructions().f64_div().f64_sqrt().local_set(norm);
+        sink.divide();
+        sink.square_root();
+        sink.set(self.found);
     }
 
-    /// Accepts the attempt, and stores it as the next record.
-    fn accept(&self, sink: &mut Sink, layout: WindowLayout, growth: Local) {
-        let record = layout.record(0);
-        let [from, change, bend, first, ..] = std::array::from_fn::<Local, 4, _>(|_| sink.local());
-        sink.increase(self.steps);
-        sink.next_record(layout.record_len());
+    /// Accepts the attempt.
+    pub fn accept(&self, sink: &mut Sink, condition: Where) {
+        let [change, bend] = std::array::from_fn(|_| sink.local());
         sink.get(self.end);
-        sink.set(self.start);
-        sink.instructions().local_get(self.start).local_get(self.size).f64_add().local_set(self.end);
-        sink.instructions().local_get(self.size).local_get(growth).f64_mul().local_set(self.proposed);
+        sink.assign(self.start, condition);
+        sink.get(self.start);
+        sink.get(self.size);
+        sink.add();
+        sink.assign(self.end, condition);
+        sink.get(self.size);
+        sink.get(self.growth);
+        sink.multiply();
+        sink.assign(self.proposed, condition);
+        sink.get(self.found);
+        sink.constant(1e-4);
+        sink.maximum();
+        sink.assign(self.error, condition);
         for (k, &to) in self.to.iter().enumerate() {
             sink.get(to);
-            sink.set(self.dense[0][k]);
+            sink.assign(self.dense[0][k], condition);
             sink.get(self.body.state(k));
-            sink.set(to);
+            sink.assign(to, condition);
         }
         for &k in &self.moving {
-            let [_, c_1, c_2, c_3, c_4] = self.dense.each_ref().map(|list| list[k]);
-            let last = self.rates[STAGES - 1][k];
-            sink.get(self.dense[0][k]);
-            sink.set(from);
-            sink.get(self.rates[0][k]);
-            sink.set(first);
-            sink.instructions().local_get(self.to[k]).local_get(from).f64_sub().local_tee(change).local_set(c_1);
-            sink.instructions().local_get(self.size).local_get(first).f64_mul().local_get(change).f64_sub();
-            sink.instructions().local_tee(bend).local_set(c_2);
+            let [from, c_1, c_2, c_3, c_4] = self.dense.each_ref().map(|list| list[k]);
+            let [first, last] = [self.rates[0][k], self.rates[STAGES - 1][k]];
+            sink.get(self.to[k]);
+            sink.get(from);
+            sink.subtract();
+            sink.set(change);
+            sink.get(change);
+            sink.assign(c_1, condition);
+            sink.get(self.size);
+            sink.get(first);
+            sink.multiply();
+            sink.get(change);
+            sink.subtract();
+            sink.set(bend);
+            sink.get(bend);
+            sink.assign(c_2, condition);
             // change - size * last - bend
-            sink.instructions().local_get(change).local_get(self.size).local_get(last).f64_mul().f64_sub();
-            sink.instructions().local_get(bend).f64_sub().local_set(c_3);
-            self.weighted(sink, &DENSE_WEIGHTS, k);
-            sink.instructions().local_get(self.size).f64_mul().local_set(c_4);
+            sink.get(change);
+            sink.get(self.size);
             sink.get(last);
-            sink.set(self.rates[0][k]);
-            sink.instructions().local_get(self.peaks[k]).local_get(self.to[k]).f64_abs().f64_max();
-            sink.set(self.peaks[k]);
-            for (degree, list) in self.dense.iter().enumerate() {
-                sink.store_in_record(record + layout.dense(degree) + k, list[k]);
-            }
-            sink.store_in_record(record + layout.to() + k, self.to[k]);
-            sink.store_in_record(record + layout.peaks() + k, self.peaks[k]);
-            sink.store_in_record(record + layout.rates() + k, last);
+            sink.multiply();
+            sink.subtract();
+            sink.get(bend);
+            sink.subtract();
+            sink.assign(c_3, condition);
+            self.weighted(sink, &DENSE_WEIGHTS, k);
+            sink.get(self.size);
+            sink.multiply();
+            sink.assign(c_4, condition);
+            sink.get(last);
+            sink.assign(first, condition);
+            sink.get(self.peaks[k]);
+            sink.get(self.to[k]);
+            sink.absolute();
+            sink.maximum();
+            sink.assign(self.peaks[k], condition);
         }
-        let numbers = [self.start, self.size, self.end, self.proposed, self.error, self.attempts];
-        for (place, local) in numbers.into_iter().enumerate() {
-            sink.store_in_record(record + place, local);
-        }
-        sink.count();
-        sink.instructions().i32_eqz();
-        sink.begin_if();
-        for &k in &self.moving {
-            sink.store(layout.error() + k, self.errors[k]);
-        }
-        sink.leave();
-        sink.end();
+    }
+
+    /// Numbers of the last step, in the order of a record.
+    pub fn clock(&self) -> [Local; 5] {
+        [self.start, self.size, self.end, self.proposed, self.error]
     }
 
     /// Pushes weights . rates of state `k`, summed from the left, starting with 0.
@@ -263,28 +284,57 @@ impl<'a> Step<'a> {
 
     /// Sets `state` to the state at the end of the last step if that is at `time`, and to the continuous solution otherwise.
     pub fn state_at_end_or(&self, sink: &mut Sink, time: Local, state: &[Local]) {
-        sink.instructions().local_get(time).local_get(self.end).f64_eq();
-        sink.begin_if();
-        for (&to, &state) in self.to.iter().zip(state) {
-            sink.get(to);
-            sink.set(state);
+        let is_at_end = |sink: &mut Sink| {
+            sink.get(time);
+            sink.get(self.end);
+            sink.equal();
+        };
+        let at_end = |sink: &mut Sink, condition: Where| {
+            for (&to, &state) in self.to.iter().zip(state) {
+                sink.get(to);
+                sink.assign(state, condition);
+            }
+        };
+        match sink.values() {
+            Values::Numbers => {
+                is_at_end(sink);
+                sink.begin_if();
+                at_end(sink, None);
+                sink.otherwise();
+                self.state_at(sink, time, state);
+                sink.end();
+            }
+            Values::Pairs => {
+                self.state_at(sink, time, state);
+                let condition = sink.local();
+                is_at_end(sink);
+                sink.set(condition);
+                at_end(sink, Some(condition));
+            }
         }
-        sink.otherwise();
-        self.state_at(sink, time, state);
-        sink.end();
     }
 
     /// Sets `state` to the continuous solution at `time`.
     pub fn state_at(&self, sink: &mut Sink, time: Local, state: &[Local]) {
         let [part, rest] = std::array::from_fn(|_| sink.local());
-        sink.instructions().local_get(time).local_get(self.start).f64_sub().local_get(self.size).f64_div();
+        sink.get(time);
+        sink.get(self.start);
+        sink.subtract();
+        sink.get(self.size);
+        sink.divide();
         sink.set(part);
-        sink.instructions().f64_const(1.0.into()).local_get(part).f64_sub().local_set(rest);
+        sink.constant(1.0);
+        sink.get(part);
+        sink.subtract();
+        sink.set(rest);
         for (k, &state) in state.iter().enumerate() {
             let [c_0, c_1, c_2, c_3, c_4] = self.dense.each_ref().map(|list| list[k]);
             if self.moving.binary_search(&k).is_err() {
                 // All other coefficients of a constant state are 0.
-                sink.instructions().local_get(c_0).f64_const(0.0.into()).f64_add().local_set(state);
+                sink.get(c_0);
+                sink.constant(0.0);
+                sink.add();
+                sink.set(state);
                 continue;
             }
             // c_0 + part * (c_1 + rest * (c_2 + part * (c_3 + rest * c_4)))

@@ -3,6 +3,7 @@
 //! or switch could act the code returns, and the engine looks there itself.
 
 use crate::checks::Checks;
+use crate::control::Recorded;
 use crate::sink::Sink;
 use crate::step::Step;
 use engine::{Listing, WindowListing};
@@ -10,7 +11,8 @@ use engine::{Listing, WindowListing};
 /// Emits the loop over the intervals between rows and ends of steps.
 pub(crate) fn intervals(listing: &Listing, window: &WindowListing, sink: &mut Sink) {
     let layout = window.layout;
-    let step = Step::load(listing, layout, sink);
+    let recorded = Recorded::new(Step::load(listing, layout, sink), layout, sink);
+    let (step, steps) = (&recorded.step, recorded.steps);
     let checks = Checks::load(window, sink);
     let [index, spacing, target, until, intervals] = std::array::from_fn(|_| sink.local());
     for (local, place) in [(index, layout.index()), (spacing, layout.spacing())] {
@@ -21,12 +23,13 @@ pub(crate) fn intervals(listing: &Listing, window: &WindowListing, sink: &mut Si
     sink.begin_loop();
     sink.instructions().local_get(step.end).local_get(step.time).f64_le();
     sink.begin_if();
-    step.make(sink, layout);
+    recorded.make(sink);
     sink.end();
     sink.instructions().local_get(index).f64_const(1.0.into()).f64_add().local_get(spacing).f64_mul().local_set(target);
     sink.instructions().local_get(target).local_get(step.end).f64_min().local_set(until);
     step.state_at_end_or(sink, until, &next);
-    checks.check(sink, &step, until, &next);
+    checks.check(sink, step, until, &next);
+    checks.pass(sink, None);
     for (&present, &next) in step.present.iter().zip(&next) {
         sink.get(next);
         sink.set(present);
@@ -37,7 +40,7 @@ pub(crate) fn intervals(listing: &Listing, window: &WindowListing, sink: &mut Si
     sink.instructions().local_get(until).local_get(target).f64_eq();
     sink.begin_if();
     let row = layout.row(0);
-    sink.store_in_row(row, step.steps);
+    sink.store_in_row(row, steps);
     sink.store_in_row(row + 1, intervals);
     for (number, &value) in checks.values().iter().enumerate() {
         sink.store_in_row(row + 2 + number, value);
@@ -49,11 +52,11 @@ pub(crate) fn intervals(listing: &Listing, window: &WindowListing, sink: &mut Si
     sink.next_row(layout.row_len());
     sink.leave_if_all_made();
     // The rest of the room is for the steps to the next row.
-    sink.get(step.steps);
+    sink.get(steps);
     sink.constant(0.75 * layout.steps as f64);
     sink.instructions().f64_ge();
     sink.leave_if();
     sink.end();
     sink.end_loop();
-    sink.store(layout.made(), step.steps);
+    sink.store(layout.made(), steps);
 }

@@ -90,7 +90,8 @@ impl engine::Compiler for Compiler {
     }
 
     fn side_by_side(&self, model: &Model, setup: &Setup, nodes: &[NodeId]) -> Option<Box<dyn SideBySide>> {
-        engine::side_by_side(model, setup, nodes, |listing| compile_side_by_side(listing).ok())
+        let alone = |listing| self.compile(listing);
+        engine::side_by_side(model, setup, nodes, |listing| compile_side_by_side(listing).ok(), alone)
     }
 }
 

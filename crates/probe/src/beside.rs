@@ -34,7 +34,7 @@ impl SideBySideTubes {
         };
         let runs = (0..LANES).map(run).collect();
         let compile = |listing: &_| host::compile_side_by_side(listing).ok();
-        let side_by_side = side_by_side(model, &setup, &[], compile).ok_or("no runs side by side")?;
+        let side_by_side = side_by_side(model, &setup, &[], compile, |_| None).ok_or("no runs side by side")?;
         Ok(Self { runs, side_by_side, step: setup.step })
     }
 

@@ -1,7 +1,8 @@
 //! Speed of the rows of any document with its own method, interpreted and in emitted code.
 
 use crate::golden::setup;
-use engine::Stepper;
+use engine::{LANES, Setup, SideBySide, Stepper, side_by_side};
+use program::Model;
 use units::split_mix::scramble;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -12,6 +13,9 @@ const ROWS_OF_A_RUN: u32 = 2000;
 #[wasm_bindgen]
 pub struct Shipped {
     stepper: Stepper,
+    model: Model,
+    setup: Setup,
+    side_by_side: Option<Box<dyn SideBySide>>,
 }
 
 #[wasm_bindgen]
@@ -24,7 +28,7 @@ impl Shipped {
     pub fn new(text: &str) -> Result<Shipped, String> {
         let (document, setup) = setup(text)?;
         let stepper = Stepper::new(&document.program.model, &setup).map_err(|error| error.to_string())?;
-        Ok(Self { stepper })
+        Ok(Self { stepper, model: document.program.model, setup, side_by_side: None })
     }
 
     /// Makes the steps in emitted code from now on; in WebAssembly only.
@@ -35,6 +39,41 @@ impl Shipped {
         let code = host::compile(self.stepper.listing()).map_err(|reason| format!("{reason:?}"))?;
         self.stepper.use_compiled(code);
         Ok(())
+    }
+
+    /// Makes steps of runs side by side from now on, in which the rate of the first state is read; in WebAssembly only.
+    ///
+    /// # Errors
+    /// They are made one by one.
+    pub fn emit_side_by_side(&mut self) -> Result<(), String> {
+        let rate = self.model.states.first().map(|state| state.derivative).ok_or("no states")?;
+        let compile = |listing: &_| host::compile_side_by_side(listing).ok();
+        let runs = side_by_side(&self.model, &self.setup, &[rate], compile, |listing| host::compile(Ok(listing)).ok())
+            .ok_or("runs are made one by one")?;
+        self.side_by_side = Some(runs);
+        Ok(())
+    }
+
+    /// Computes about `rows` rows, those of all runs side by side together; the first parameter differs a little. Returns the greatest of
+    /// what is read.
+    pub fn rows_side_by_side(&mut self, rows: u32) -> f64 {
+        let Some(runs) = &mut self.side_by_side else { return f64::NAN };
+        let begun = |run: usize| {
+            let mut parameters = self.setup.parameters.clone();
+            parameters.iter_mut().take(1).for_each(|parameter| *parameter *= 1.0 + 0.0001 * run as f64);
+            [parameters, self.stepper.initial().to_vec()]
+        };
+        let begun: Vec<_> = (0..LANES).map(begun).collect();
+        let mut left = rows.div_ceil(LANES as u32);
+        let mut most = f64::NEG_INFINITY;
+        while left > 0 {
+            let count = left.min(ROWS_OF_A_RUN);
+            let mut take = |_: usize, _: f64, values: &[f64]| most = most.max(values[0]);
+            runs.begin(&begun, f64::from(count) * self.setup.step, &mut take);
+            while !runs.advance(&mut { u64::MAX }, &mut take) {}
+            left -= count;
+        }
+        most
     }
 
     /// Computes `rows` rows without recording. A run that ends begins again. Returns a hash of all states.

@@ -96,3 +96,21 @@ fn runs_side_by_side_have_the_same_bits() {
     ];
     assert_eq!(smooth, expected);
 }
+
+#[test]
+fn adaptive_runs_side_by_side_have_the_same_bits() {
+    let mut one_by_one = Vec::new();
+    for (name, text) in documents() {
+        let program = document::open(&text, &[]).document.expect("a document without errors").program;
+        println!("{name}");
+        let setup = Setup { method: Method::DormandPrince, ..Setup::of(&program) };
+        match compare_side_by_side(&program.model, &setup, ROWS) {
+            Some(rows) => assert!(rows > 100, "{name}: {rows} rows"),
+            None => one_by_one.push(name.clone()),
+        }
+    }
+    // Discrete time, linear systems, changes that are not linear in time, too many operations, or no states.
+    let expected =
+        ["cosine.md", "double-pendulum.md", "fourier.md", "gas.md", "logistic-map.md", "random-walk.md", "string.md"];
+    assert_eq!(one_by_one, expected);
+}

@@ -60,8 +60,9 @@ impl Compiled for Instance {
     fn run(&self, block: &mut [f64], count: u32) -> u32 {
         let block = if count == 0 { &mut block[..self.attempt] } else { block };
         let store = &mut *self.store.borrow_mut();
-        let bytes: Vec<u8> = block.iter().flat_map(|number| number.to_le_bytes()).collect();
-        self.memory.write(&mut *store, 0, &bytes).expect("memory for the block");
+        let places = self.memory.data_mut(&mut *store).as_chunks_mut().0;
+        assert!(places.len() >= block.len(), "memory for the block");
+        block.iter().zip(places).for_each(|(number, place)| *place = number.to_le_bytes());
         let made = self.run.call(&mut *store, (0, count as i32)).expect("no trap");
         for (number, bytes) in block.iter_mut().zip(self.memory.data(&*store).as_chunks().0) {
             *number = f64::from_le_bytes(*bytes);

@@ -1,63 +1,92 @@
-//! Runs of a fixed-step method side by side, in compiled code that makes each step for all of them.
+//! Runs side by side in compiled code: what is compiled, and the numbers that it works on.
 
 use super::Compiled;
 use super::layout::Layout;
 use super::listing::{Formulas, Listing};
-use super::side_by_side::{LANES, SideBySide, Take};
-use crate::{Routine, Setup, Stepper, rows_until};
-use program::{Method, Model, NodeId};
-use std::rc::Rc;
+use super::side_by_side::LANES;
 
 /// Number of runs whose numbers stand together.
 const TOGETHER: usize = 2;
 
-/// Maximum number of steps that are made at once.
+/// Maximum number of rows that are made at once.
 const MOST_ROWS: usize = 256;
 
-/// Maximum number of values in the rows of these steps, for a run.
+/// Maximum number of values in these rows, for a run.
 const MOST_VALUES: usize = 512;
 
-/// Number of steps in compiled code that take no longer than one in the interpreter, with what is done with their rows.
-const FASTER: u64 = 8;
-
-/// Steps of a fixed-step method for [`LANES`] runs, and what is read at each row.
+/// Steps for [`LANES`] runs, and what is read at each row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LanesListing {
-    /// The steps. Its own layout is that of a single run.
+    /// The steps. The layout of a fixed-step method is that of a single run; a window of the Dormand-Prince method has the record of
+    /// the last step only, and neither steps nor rows.
     pub steps: Listing,
     /// Formulas that are read at each row; their interpolations follow those of the steps in the list that both share.
     pub readings: Formulas,
+    /// True if events, switches or timed changes can act in a step of the Dormand-Prince method.
+    pub checked: bool,
     /// The block of a pair of runs.
     pub layout: LanesLayout,
 }
 
 /// Indices into the numbers of a pair of runs. At each place stand two numbers, one for each run; the numbers of one pair follow
-/// those of the pair before. SI units; states are in the order of the model.
+/// those of the pair before. SI units; states are in the order of the model. The block of the steps comes first: that of a
+/// fixed-step method, whose states are replaced by those after the last step, or the window of the Dormand-Prince method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LanesLayout {
-    /// Registers, settings and states of the steps; states are replaced by those after the last step.
+    /// Registers, settings and states of the steps of a fixed-step method.
     pub steps: Layout,
+    /// First place after the block of the steps.
+    rest: usize,
     /// Number of registers of what is read.
     registers: usize,
     /// Number of values that are read at a row.
     pub values: usize,
     /// Maximum number of rows.
-    rows: usize,
+    pub rows: usize,
 }
 
 impl LanesLayout {
-    fn new(steps: Layout, readings: &Formulas) -> Self {
+    pub(super) fn new(listing: &Listing, readings: &Formulas) -> Self {
         let values = readings.roots.len();
         let rows = (MOST_VALUES / values.max(1)).clamp(1, MOST_ROWS);
-        Self { steps, registers: readings.registers, values, rows }
+        let rest = listing.window.as_ref().map_or(listing.layout.row(0), |window| window.layout.row(0));
+        Self { steps: listing.layout, rest, registers: readings.registers, values, rows }
+    }
+
+    /// Index of the grid point before row 0. Steps of the Dormand-Prince method have this place and those up to
+    /// [`LanesLayout::since`].
+    pub const fn base(self) -> usize {
+        self.rest
+    }
+
+    /// Index of the grid point at which the run pauses.
+    pub const fn limit(self) -> usize {
+        self.rest + 1
+    }
+
+    /// Reason why the run has stopped, a result: 0 if it has not, 1 if a check has failed, 2 if a step is too small or there are too many
+    /// of them since the last row.
+    pub const fn stopped(self) -> usize {
+        self.rest + 2
+    }
+
+    /// 1 if the last attempt of a step was not accepted.
+    pub const fn rejected(self) -> usize {
+        self.rest + 3
+    }
+
+    /// Number of steps since the last row.
+    pub const fn since(self) -> usize {
+        self.rest + 4
     }
 
     /// First register of what is read.
     pub const fn readings(self) -> usize {
-        self.steps.row(0)
+        self.rest + 5
     }
 
-    /// First value at row `k`: the one after step `k`.
+    /// First value at row `k`: the one after step `k` of a fixed-step method, and the one after the grid point `base + k` of the
+    /// Dormand-Prince method.
     pub const fn row(self, k: usize) -> usize {
         self.readings() + self.registers + k * self.values
     }
@@ -68,141 +97,42 @@ impl LanesLayout {
     }
 }
 
-/// Runs of one model in compiled code.
+/// The numbers of all runs.
 #[derive(Debug)]
-struct Lanes {
-    /// Computes the registers of a run.
-    stepper: Stepper,
-    readings: Routine,
-    code: Rc<dyn Compiled>,
-    layout: LanesLayout,
-    step: f64,
-    /// Numbers of the row that is reached, of the last row that is taken, and of the last one.
-    index: u64,
-    taken: u64,
-    all: u64,
-    /// Number of runs.
-    count: usize,
+pub(crate) struct Numbers {
+    /// Number of places of a pair.
+    places: usize,
     numbers: Vec<f64>,
-    values: Vec<f64>,
-    /// State of each run at the last row that is taken.
-    last: Vec<Vec<f64>>,
 }
 
-/// Prepares runs of `model` with this setup but other parameters and without presses; `nodes` are read at each row. `compile` makes
-/// their code. `None` if the runs must be made one by one: steps of other methods and those that can end early are not made side by
-/// side, nor is what `compile` has no code for.
-pub fn side_by_side(
-    model: &Model,
-    setup: &Setup,
-    nodes: &[NodeId],
-    compile: impl FnOnce(&LanesListing) -> Option<Rc<dyn Compiled>>,
-) -> Option<Box<dyn SideBySide>> {
-    if !setup.presses.is_empty() || setup.method == Method::DormandPrince {
-        return None;
+impl Numbers {
+    pub fn new(layout: LanesLayout) -> Self {
+        Self { places: layout.places(), numbers: vec![0.0; LANES * layout.places()] }
     }
-    let drawn = model.with_drawings(&setup.drawings);
-    let model = drawn.as_ref().unwrap_or(model);
-    let stepper = Stepper::new(model, setup).ok()?;
-    let mut steps = stepper.listing().ok().filter(|_| stepper.is_smooth())?;
-    let readings = Routine::compile(model, nodes);
-    let formulas = readings.formulas(&mut steps.interpolations)?;
-    let layout = LanesLayout::new(steps.layout, &formulas);
-    let code = compile(&LanesListing { steps, readings: formulas, layout })?;
-    let (numbers, values) = (vec![0.0; LANES * layout.places()], vec![0.0; nodes.len()]);
-    let (step, [index, taken, all]) = (setup.step, [0; 3]);
-    let lanes =
-        Lanes { stepper, readings, code, layout, step, index, taken, all, count: 0, numbers, values, last: Vec::new() };
-    Some(Box::new(lanes))
-}
 
-impl Lanes {
-    /// Index of a number of a run.
     fn at(&self, run: usize, place: usize) -> usize {
-        (run / TOGETHER * self.layout.places() + place) * TOGETHER + run % TOGETHER
+        (run / TOGETHER * self.places + place) * TOGETHER + run % TOGETHER
+    }
+
+    /// Number of a run at a place.
+    pub fn get(&self, run: usize, place: usize) -> f64 {
+        self.numbers[self.at(run, place)]
     }
 
     /// Sets numbers of a run from a place on.
-    fn set(&mut self, run: usize, place: usize, numbers: impl IntoIterator<Item = f64>) {
-        for (place, number) in (place..).zip(numbers) {
-            let at = self.at(run, place);
-            self.numbers[at] = number;
-        }
+    pub fn set(&mut self, run: usize, place: usize, numbers: &[f64]) {
+        let first = self.at(run, place);
+        self.numbers[first..].iter_mut().step_by(TOGETHER).zip(numbers).for_each(|(to, number)| *to = *number);
     }
 
-    /// State of a run.
-    fn state(&self, run: usize) -> Vec<f64> {
-        let steps = self.layout.steps;
-        (steps.from()..steps.row(0)).map(|place| self.numbers[self.at(run, place)]).collect()
+    /// Copies numbers of a run from a place on.
+    pub fn copy(&self, run: usize, place: usize, out: &mut [f64]) {
+        let first = self.at(run, place);
+        out.iter_mut().zip(self.numbers[first..].iter().step_by(TOGETHER)).for_each(|(to, number)| *to = *number);
     }
 
-    /// Keeps the states if the last row that is taken is reached.
-    fn keep_last(&mut self) {
-        if self.index == self.taken {
-            self.last = (0..self.count).map(|run| self.state(run)).collect();
-        }
-    }
-
-    /// Makes so many steps, at most as many as there are rows in the block.
-    fn step(&mut self, count: usize, take: Take) {
-        let index = self.index as f64;
-        (0..LANES).for_each(|run| self.set(run, self.layout.steps.first(), [index]));
-        self.code.run(&mut self.numbers, count as u32);
-        let takes = self.index < self.taken && self.layout.values > 0;
-        for run in (0..self.count).filter(|_| takes) {
-            for row in 0..count {
-                let first = self.at(run, self.layout.row(row));
-                let values = self.numbers[first..].iter().step_by(TOGETHER);
-                self.values.iter_mut().zip(values).for_each(|(value, number)| *value = *number);
-                take(run, (self.index + row as u64 + 1) as f64 * self.step, &self.values);
-            }
-        }
-        self.index += count as u64;
-        self.keep_last();
-    }
-}
-
-impl SideBySide for Lanes {
-    fn begin(&mut self, runs: &[[Vec<f64>; 2]], until: f64, take: Take) {
-        let Some(first) = runs.first() else { return };
-        (self.index, self.count) = (0, runs.len());
-        [self.taken, self.all] = rows_until(self.step, until);
-        let (steps, readings) = (self.layout.steps, self.layout.readings());
-        for run in 0..LANES {
-            // Lanes without a run repeat the first one.
-            let [parameters, initial] = runs.get(run).unwrap_or(first);
-            self.stepper.begin(parameters.clone(), initial);
-            self.readings.prepare(parameters, initial);
-            let numbers = [self.stepper.registers(), self.readings.registers()].map(<[f64]>::to_vec);
-            for (place, numbers) in [0, readings].into_iter().zip(numbers) {
-                self.set(run, place, numbers);
-            }
-            self.set(run, steps.spacing(), [self.step, self.step]);
-            self.set(run, steps.from(), initial.iter().copied());
-            if run < self.count && !self.values.is_empty() {
-                self.readings.evaluate(0.0, initial, &mut self.values);
-                take(run, 0.0, &self.values);
-            }
-        }
-        self.keep_last();
-    }
-
-    fn advance(&mut self, left: &mut u64, take: Take) -> bool {
-        let work = (LANES as u64 * self.stepper.work_of_step() / FASTER).max(1);
-        while self.index < self.all {
-            if *left == 0 {
-                return false;
-            }
-            let goal = if self.index < self.taken { self.taken } else { self.all };
-            let count = (*left / work).clamp(1, self.layout.rows as u64).min(goal - self.index);
-            self.step(count as usize, take);
-            *left = left.saturating_sub(count * work);
-        }
-        true
-    }
-
-    fn end(&self, run: usize) -> Option<(f64, Vec<f64>)> {
-        let finite = self.state(run).iter().all(|value| value.is_finite());
-        finite.then(|| (self.taken as f64 * self.step, self.last[run].clone()))
+    /// Runs code over them.
+    pub fn run(&mut self, code: &dyn Compiled, count: u32) -> u32 {
+        code.run(&mut self.numbers, count)
     }
 }

@@ -1,9 +1,12 @@
 //! Steps in compiled form: code that is made outside of the engine, with the bits of the interpreter.
 
+mod adaptive_lanes;
 pub(crate) mod block;
+mod fixed_lanes;
 pub(crate) mod lanes;
 pub(crate) mod layout;
 pub(crate) mod listing;
+pub(crate) mod preparing;
 pub(crate) mod side_by_side;
 pub(crate) mod window;
 pub(crate) mod window_layout;

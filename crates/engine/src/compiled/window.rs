@@ -65,6 +65,29 @@ pub(crate) struct Begin<'a> {
     pub uncounted: bool,
 }
 
+impl Begin<'_> {
+    /// Writes the numbers to their places.
+    pub fn write(&self, layout: &WindowLayout, mut put: impl FnMut(usize, &[f64])) {
+        let record = layout.record(0);
+        put(layout.time(), &self.settings);
+        put(layout.floors(), self.floors);
+        put(layout.present(), self.state);
+        for (number, &armed) in self.armed.iter().enumerate() {
+            put(layout.armed() + number, &[f64::from(u8::from(armed))]);
+        }
+        put(layout.held(), self.held);
+        put(layout.values(), self.values);
+        let last = self.last;
+        put(record, &[last.start, last.size, last.end, last.proposed, last.error, 0.0]);
+        put(record + layout.to(), &last.to);
+        put(record + layout.peaks(), &last.peaks);
+        put(record + layout.rates(), self.rates);
+        for (degree, coefficients) in last.dense.iter().enumerate() {
+            put(record + layout.dense(degree), coefficients);
+        }
+    }
+}
+
 impl Window {
     /// `still`: see [`Listing::still`](crate::Listing::still).
     pub fn new(code: Rc<dyn Compiled>, layout: WindowLayout, checks: bool, still: &[Option<f64>]) -> Self {
@@ -147,23 +170,7 @@ impl Window {
     /// Computes steps and rows.
     pub fn begin(&mut self, begin: &Begin) {
         let layout = self.layout;
-        let record = layout.record(0);
-        self.put(layout.time(), &begin.settings);
-        self.put(layout.floors(), begin.floors);
-        self.put(layout.present(), begin.state);
-        for (number, &armed) in begin.armed.iter().enumerate() {
-            self.numbers[layout.armed() + number] = f64::from(u8::from(armed));
-        }
-        self.put(layout.held(), begin.held);
-        self.put(layout.values(), begin.values);
-        let last = begin.last;
-        self.put(record, &[last.start, last.size, last.end, last.proposed, last.error, 0.0]);
-        self.put(record + layout.to(), &last.to);
-        self.put(record + layout.peaks(), &last.peaks);
-        self.put(record + layout.rates(), begin.rates);
-        for (degree, coefficients) in last.dense.iter().enumerate() {
-            self.put(record + layout.dense(degree), coefficients);
-        }
+        begin.write(&layout, |place, numbers| self.put(place, numbers));
         self.rows = (self.code.run(&mut self.numbers, layout.rows as u32) as usize).min(layout.rows);
         self.steps = (self.numbers[layout.made()] as usize).min(layout.steps);
         self.index = begin.settings[1] as u64;

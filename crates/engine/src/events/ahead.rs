@@ -71,6 +71,14 @@ impl Surfaces {
         }
     }
 
+    /// Computes the compared values and their rates of change at `time` and `state` (SI), for [`Surfaces::values_at`]
+    /// where no step ended.
+    pub fn find_values_at(&mut self, time: f64, state: &[f64]) {
+        if let Some(looks) = &mut self.looks {
+            looks.find_values_at(time, state);
+        }
+    }
+
     /// Continues after rows that compiled code has checked, the last one at `time` and `state` (SI) with these compared values
     /// and rates of change.
     pub fn continue_at(&mut self, time: f64, state: &[f64], values: &[f64]) {

@@ -113,6 +113,11 @@ impl Looks {
         (point.time == time && known == state).then_some(&point.values)
     }
 
+    /// Computes the values of [`Looks::values_at`] where no step ended.
+    pub fn find_values_at(&mut self, time: f64, state: &[f64]) {
+        self.arrive(1, (time, state), false);
+    }
+
     /// Continues after intervals that were searched elsewhere; the last one ended at `time` and `state` with these values.
     pub fn continue_at(&mut self, time: f64, state: &[f64], values: &[f64]) {
         let [_, end] = &mut self.ends;

@@ -25,11 +25,18 @@ pub(crate) struct Place<'a> {
 impl Adaptive {
     /// Computes steps and rows in advance.
     pub fn begin_window(&mut self, equations: &mut Equations, place: &Place) {
-        let Pair::DormandPrince(pair) = &mut self.pair else { return };
+        let Some(begin) = self.begin_at(equations, place) else { return };
+        if let Some(window) = &mut equations.window {
+            window.begin(&begin);
+        }
+    }
+
+    /// All that determines steps and rows from here on; `None` for other methods than Dormand-Prince.
+    pub fn begin_at<'a>(&'a mut self, equations: &mut Equations, place: &Place<'a>) -> Option<Begin<'a>> {
+        let Pair::DormandPrince(pair) = &mut self.pair else { return None };
         let uncounted = pair.find_first(equations, self.last.end, &self.last.to);
-        let Some(window) = &mut equations.window else { return };
         let Place { time, index, spacing, state, armed, held, values } = *place;
-        window.begin(&Begin {
+        Some(Begin {
             settings: [time, index as f64, spacing, self.longest, self.tolerance, self.below_peak],
             floors: &self.floors,
             state,
@@ -39,7 +46,7 @@ impl Adaptive {
             last: &self.last,
             rates: pair.first(),
             uncounted,
-        });
+        })
     }
 
     /// Brings the last step up to the row that was taken last.

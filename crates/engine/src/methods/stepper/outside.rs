@@ -1,9 +1,12 @@
 //! Runs whose steps are made outside of the stepper, which continues them where something happens.
 
 use super::{Solver, Stepper};
+use crate::Method;
 use crate::compiled::listing::Preparation;
-use crate::methods::adaptive::StepControl;
+use crate::compiled::window_layout::WindowLayout;
+use crate::methods::adaptive::{Place, StepControl};
 use crate::methods::last_step::LastStep;
+use crate::methods::tableau::STAGES;
 
 /// A moment that a run has reached, with all that determines how it continues; SI units.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +36,31 @@ impl Stepper {
         Some((rates, self.surfaces.preparations(first)?))
     }
 
+    /// True if compiled code can make the steps of runs side by side: all that could happen in a step can be checked.
+    pub(crate) fn can_be_beside(&self) -> bool {
+        let checks = || self.surfaces.window(self.equations.size(), &mut Vec::new()).1;
+        self.is_smooth() || (self.method == Method::DormandPrince && checks())
+    }
+
+    /// Writes all that determines how the run continues to the places of a window, for compiled code.
+    pub(crate) fn write_to(&mut self, layout: &WindowLayout, mut put: impl FnMut(usize, &[f64])) {
+        self.catch_up();
+        put(0, self.equations.registers());
+        for (number, registers) in self.surfaces.registers().into_iter().enumerate() {
+            // Formulas that are not checked are not listed.
+            put(layout.formula(number), registers.get(..layout.formulas[number]).unwrap_or_default());
+        }
+        let Solver::Adaptive(method) = &mut self.solver else { return };
+        let (time, index, spacing, state) = (self.time, self.index, self.step, &self.state);
+        self.surfaces.find_values_at(time, state);
+        let values = self.surfaces.values_at(time, state).unwrap_or_default();
+        let (armed, held) = (self.surfaces.events.armed(), self.surfaces.switches.held());
+        let place = Place { time, index, spacing, state, armed, held, values };
+        if let Some(begin) = method.begin_at(&mut self.equations, &place) {
+            begin.write(layout, put);
+        }
+    }
+
     /// Registers of the right-hand side.
     pub(crate) fn registers(&self) -> &[f64] {
         self.equations.registers()
@@ -44,6 +72,11 @@ impl Stepper {
             Solver::Fixed(fixed) => self.equations.work_of_stages(fixed.stages()),
             Solver::Adaptive(_) => 0,
         }
+    }
+
+    /// Approximate number of floating-point operations of an attempt of a step by the Dormand-Prince method.
+    pub(crate) fn work_of_attempt(&self) -> u64 {
+        self.equations.work_of_stages(STAGES as u64 - 1)
     }
 
     /// Settings of the step control of an adaptive method.

@@ -1,0 +1,92 @@
+//! Step control of a single run, with a record of each step.
+
+use crate::sink::{Local, Sink};
+use crate::step::Step;
+use engine::WindowLayout;
+
+/// Steps that are recorded.
+pub(crate) struct Recorded<'a> {
+    pub step: Step<'a>,
+    /// Number of steps made, and of their attempts.
+    pub steps: Local,
+    attempts: Local,
+    layout: WindowLayout,
+}
+
+impl<'a> Recorded<'a> {
+    pub fn new(step: Step<'a>, layout: WindowLayout, sink: &mut Sink) -> Self {
+        let [attempts, steps] = std::array::from_fn(|_| sink.local());
+        Self { step, steps, attempts, layout }
+    }
+
+    /// Makes a step from the end of the last one, or the single attempt of the size given.
+    pub fn make(&self, sink: &mut Sink) {
+        let Self { step, steps, attempts, layout } = self;
+        let most = sink.local();
+        sink.count();
+        sink.begin_if();
+        sink.get(*steps);
+        sink.constant(layout.steps as f64);
+        sink.instructions().f64_ge();
+        sink.leave_if();
+        sink.get(step.proposed);
+        sink.get(step.longest);
+        sink.minimum();
+        sink.set(step.size);
+        sink.end();
+        sink.constant(10.0);
+        sink.set(most);
+        sink.begin_block();
+        let accepted = sink.label();
+        sink.begin_repeat();
+        let again = sink.label();
+        sink.increase(*attempts);
+        step.attempt(sink);
+        sink.count();
+        sink.instructions().i32_eqz();
+        sink.branch_if(accepted);
+        step.find_error(sink);
+        sink.get(step.found);
+        sink.constant(1.0);
+        sink.less_or_equal();
+        sink.begin_if();
+        step.find_growth(sink, most);
+        sink.branch(accepted);
+        sink.end();
+        step.shrink(sink, None, |sink| sink.leave_if());
+        sink.constant(1.0);
+        sink.set(most);
+        sink.branch(again);
+        sink.end();
+        sink.end();
+        sink.increase(*steps);
+        step.accept(sink, None);
+        self.record(sink);
+    }
+
+    /// Stores the step as the next record. Leaves after a single attempt.
+    fn record(&self, sink: &mut Sink) {
+        let Self { step, attempts, layout, .. } = self;
+        let record = layout.record(0);
+        sink.next_record(layout.record_len());
+        for &k in &step.moving {
+            for (degree, list) in step.dense.iter().enumerate() {
+                sink.store_in_record(record + layout.dense(degree) + k, list[k]);
+            }
+            sink.store_in_record(record + layout.to() + k, step.to[k]);
+            sink.store_in_record(record + layout.peaks() + k, step.peaks[k]);
+            sink.store_in_record(record + layout.rates() + k, step.rates[0][k]);
+        }
+        for (place, local) in step.clock().into_iter().chain([*attempts]).enumerate() {
+            sink.store_in_record(record + place, local);
+        }
+        sink.count();
+        sink.instructions().i32_eqz();
+        sink.begin_if();
+        for &k in &step.moving {
+            sink.store(layout.error() + k, step.errors[k]);
+        }
+        sink.leave();
+        sink.end();
+    }
+}

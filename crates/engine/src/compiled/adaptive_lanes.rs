@@ -8,6 +8,7 @@
 //! Rows of paused runs are taken then. One that has stopped continues in the engine's stepper from the moment it has reached to its
 //! next row, so that events and switches are located and act as in a single run. Then all that determines how it continues
 //! (`Stepper::write_to`) is written back to its places, and it takes part in the next round.
+//! Where runs stop at most of their rows all of them fail, since they are faster alone.
 
 use super::Compiled;
 use super::lanes::{LanesLayout, Numbers};
@@ -27,6 +28,9 @@ const MOST_ROUNDS: u64 = 1024;
 /// again alone, for which the caller can divide the work.
 const MOST_WORK: u64 = 1_000_000;
 
+/// Number of stops for each run after which runs that stop at more than half of their rows fail: alone they are faster.
+const MANY_STOPS: u64 = 16;
+
 /// Runs of one model in compiled code.
 #[derive(Debug)]
 pub(crate) struct AdaptiveLanes {
@@ -39,6 +43,8 @@ pub(crate) struct AdaptiveLanes {
     /// The times of the rows.
     grid: Grid,
     lanes: Vec<Lane>,
+    /// Number of stops of all runs.
+    stops: u64,
     numbers: Numbers,
     values: Vec<f64>,
 }
@@ -114,7 +120,7 @@ impl AdaptiveLanes {
     ) -> Self {
         let (numbers, values) = (Numbers::new(layout), vec![0.0; layout.values]);
         let grid = Grid { step, ..Grid::default() };
-        Self { stepper, readings, code, layout, window, grid, lanes: Vec::new(), numbers, values }
+        Self { stepper, readings, code, layout, window, grid, lanes: Vec::new(), stops: 0, numbers, values }
     }
 
     /// Takes the rows of a run that the code has made. One that has paused goes on to its next row alone if it has stopped, or ends at
@@ -181,8 +187,15 @@ impl AdaptiveLanes {
         progress == LaneProgress::Running && (pauses || reached - index as f64 > 0.5 * self.layout.rows as f64)
     }
 
+    /// True if the runs stop at more than half of their rows.
+    fn stops_too_often(&self) -> bool {
+        let rows: u64 = self.lanes.iter().map(|lane| lane.index).sum();
+        self.stops > MANY_STOPS * self.lanes.len() as u64 && 2 * self.stops > rows
+    }
+
     /// Continues a run alone up to its next row.
     fn go_on_alone(&mut self, run: usize, take: Take) -> LaneProgress {
+        self.stops += 1;
         let mut is_at_row = false;
         let outcome = self.alone(run, take, |stepper, rows| {
             let mut record = |time: f64, state: &[f64], jumped: bool| rows.row(time, state, jumped);
@@ -258,6 +271,7 @@ impl SideBySide for AdaptiveLanes {
         let [taken, all] = rows_until(self.grid.step, until);
         self.grid = Grid { until, taken, all, ..self.grid };
         self.lanes.clear();
+        self.stops = 0;
         (0..LANES).for_each(|run| self.numbers.set(run, self.layout.base(), &[0.0; 2]));
         for (run, [parameters, initial]) in runs.iter().take(LANES).enumerate() {
             self.stepper.begin(parameters.clone(), initial);
@@ -292,6 +306,9 @@ impl SideBySide for AdaptiveLanes {
                 }
             }
             *left = left.saturating_sub(self.stepper.work() - before);
+            if self.stops_too_often() {
+                self.lanes.iter_mut().for_each(|lane| lane.progress = LaneProgress::Failed);
+            }
         }
         true
     }

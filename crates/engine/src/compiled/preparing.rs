@@ -11,8 +11,9 @@ use program::{Model, NodeId};
 use std::rc::Rc;
 
 /// Prepares runs of `model` with this setup but other parameters and without presses; `nodes` are read at each row. `compile` makes
-/// their code, and `compile_alone` that of a run that continues alone where something happens; it is interpreted if there is none. `None` if the runs must be made one by one: by Rosenbrock's method, by a fixed-step method whose steps can end early,
-/// with changes in time that compiled code cannot check, and with what `compile` has no code for.
+/// their code, and `compile_alone` that of a run that continues alone where something happens; it is interpreted if there is none.
+/// `None` if the runs must be made one by one: by Rosenbrock's method, by a fixed-step method whose steps can end early, with changes
+/// in time that compiled code cannot check, and with what `compile` has no code for.
 pub fn side_by_side(
     model: &Model,
     setup: &Setup,

@@ -1,6 +1,6 @@
 //! Tracks surfaces of generated films by twenty first clicks each, and counts what is wrong without a mark:
 //!
-//!     cargo run --release -p film --example clicks -- [KIND...] [--seeds N] [--clicks N] [--frames]
+//!     cargo run --release -p film --example clicks -- [KIND...] [--seeds N] [--first N] [--clicks N] [--frames]
 //!
 //! `wrong` counts clicks with a frame more than 6 pixels wrong that is in no doubt, and `silent` such frames; `doubt` is the part of right frames
 //! that are in doubt, `missing` the part of the frames that show the surface and have no point, `refused` the clicks that were refused. `--frames` lists the frames of each click that are in doubt (?) or wrong (!).
@@ -52,20 +52,21 @@ fn tracked(taken: &Taken, click: Click, tilted: bool) -> Result<Track, String> {
 }
 
 fn main() {
-    let (mut seeds, mut clicks) = (3, 20);
+    let (mut first, mut seeds, mut clicks) = (1, 3, 20);
     let mut listed = false;
     let mut wanted = Vec::new();
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--seeds" => seeds = arguments.next().and_then(|text| text.parse().ok()).unwrap_or(seeds),
+            "--first" => first = arguments.next().and_then(|text| text.parse().ok()).unwrap_or(first),
             "--clicks" => clicks = arguments.next().and_then(|text| text.parse().ok()).unwrap_or(clicks),
             "--frames" => listed = true,
             _ => wanted.push(argument),
         }
     }
     for name in KINDS.iter().filter(|kind| wanted.is_empty() || wanted.iter().any(|one| one == *kind)) {
-        for seed in 1..=seeds {
+        for seed in first..first + seeds {
             let film = kind(name, seed, false);
             let taken = film.film();
             let mut draw = Draw::new(seed ^ 0xc11c);

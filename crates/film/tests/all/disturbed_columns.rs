@@ -57,6 +57,20 @@ fn what_moves_besides_the_surface_or_hides_it_is_marked() {
 }
 
 #[test]
+fn a_surface_that_moves_by_more_than_an_eighth_of_the_picture_in_a_frame_is_followed() {
+    // Half the range of the motion and the period; 20 to 70 rows in a frame, of 240.
+    for (swing, period) in [(40.0, 12.0), (75.0, 11.0), (75.0, 9.0), (90.0, 8.0)] {
+        let marks = Some((11.0, -40.0));
+        let film = Filmed { frames: 60, swing, period, inner: 6.0, decay: 300.0, marks, ..Filmed::default() };
+        let (track, errors) = tracked(&film, &film.film(), 5);
+        assert_eq!(track.points.len(), 60);
+        for (point, error) in track.points.iter().zip(errors) {
+            assert!(!point.doubtful && error.abs() < 3.0, "{swing} {period}, frame {}: {error:.1} px", point.frame);
+        }
+    }
+}
+
+#[test]
 fn a_hidden_surface_is_a_gap() {
     let mut gaps = 0;
     for seed in 1..=4 {

@@ -9,6 +9,7 @@ mod compression;
 mod contrast;
 mod exposure;
 mod joining;
+mod outcome;
 mod path;
 mod pattern;
 mod picture;
@@ -38,7 +39,7 @@ const ROWS: usize = 8192;
 const BINS: usize = 20;
 /// Default half width of the strip, relative to the height of the picture.
 const HALF_WIDTH: f64 = 1.0 / 16.0;
-/// Maximum motion of the surface between frames, relative to the height of the picture.
+/// Maximum motion of the surface between frames, relative to the height of the picture, unless the film shows a faster one.
 const REACH: f64 = 1.0 / 8.0;
 /// Minimum length of a tube, px.
 const SHORTEST: f64 = 24.0;

@@ -1,6 +1,7 @@
 //! Path of the surface from the click. Several candidates are improved by the two regions that all frames then show.
 //! The candidate with the least residual is chosen.
 
+use crate::tracking::column::outcome::Outcome;
 use crate::tracking::column::path::{Search, Template, strengths};
 use crate::tracking::column::regions::{Regions, Shape, Sums};
 use crate::tracking::median::median;
@@ -14,7 +15,7 @@ const ROUNDS: usize = 4;
 /// Lower bound of the noise in each iteration, relative to the mean residual around the surface.
 const NEAR: [f64; ROUNDS + 1] = [1.5, 1.0, 0.7, 0.5, 0.5];
 /// Ratio of residuals below which a later candidate replaces the best one; of equal ones the simpler is kept.
-const BETTER: f64 = 0.995;
+pub(crate) const BETTER: f64 = 0.995;
 /// A frame is doubtful below this lead or contrast, or above this misfit.
 const LEAD: f32 = 0.25;
 const CONTRAST: f32 = 1.0;
@@ -35,9 +36,11 @@ pub(crate) struct Sought {
     pub clicked: (usize, f64),
     /// Number of rows on each side of the surface that are compared with the click.
     pub half: usize,
-    /// For each frame, the maximum motion since the previous frame in rows, and the first and last row of an anchor.
-    pub limits: Vec<(usize, Option<(usize, usize)>)>,
+    pub limits: Vec<Limit>,
 }
+
+/// For a frame, the maximum motion since the previous frame in rows, and the first and last row of an anchor.
+pub(crate) type Limit = (usize, Option<(usize, usize)>);
 
 /// Certainty of the row of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -82,20 +85,6 @@ enum Stage {
     /// Searching backwards from the last frame.
     Back(Search),
     Finished,
-}
-
-/// Best path with its residuals.
-#[derive(Clone, Debug)]
-pub(crate) struct Outcome {
-    pub path: Vec<usize>,
-    pub regions: Regions,
-    pub certainties: Vec<Certainty>,
-    /// Row of least cost in the clicked frame.
-    pub favourite: usize,
-    /// Sum of the absolute residuals, grey values.
-    pub left: f64,
-    /// Ratio of mean to median absolute residual, in the median frame; 1.18 for pure noise.
-    pub unexplained: f64,
 }
 
 struct Trial {
@@ -149,6 +138,7 @@ impl Seeking {
             path: best.path,
             regions: best.regions,
             certainties: std::mem::take(&mut self.certainties),
+            limits: std::mem::take(&mut self.sought.limits),
             favourite: self.favourite,
             left: best.left,
             unexplained,

@@ -1,9 +1,10 @@
 //! Path of the surface if something else moves along the bore. The residuals show that motion. It is subtracted, and
 //! the search is repeated.
 
+use crate::tracking::column::outcome::Outcome;
 use crate::tracking::column::path::Template;
 use crate::tracking::column::reflection::{Finding, Reflection};
-use crate::tracking::column::seeking::{Outcome, Seeking, Sought};
+use crate::tracking::column::seeking::{BETTER, Seeking, Sought};
 use crate::tracking::column::strip::with_differences;
 use units::order::sort_numbers;
 
@@ -62,8 +63,7 @@ impl Separating {
         self.stage = match std::mem::replace(&mut self.stage, Stage::Finished) {
             Stage::Seeking(mut seeking, None) => {
                 if seeking.step(profiles, signals) {
-                    self.plain = seeking.outcome();
-                    self.next()
+                    self.take(seeking.outcome(), profiles)
                 } else {
                     Stage::Seeking(seeking, None)
                 }
@@ -95,6 +95,32 @@ impl Separating {
             Some((outcome, reflection)) => Some((outcome, Some(reflection))),
             None => Some((self.plain.take()?, None)),
         }
+    }
+
+    /// Takes the path without a reflection. If it reaches the maximum motion, the search is repeated with twice that motion. Such a path
+    /// replaces it if it leaves less and is smooth where it is faster: things beside the surface invite jumps.
+    fn take(&mut self, outcome: Option<Outcome>, profiles: &[Vec<f32>]) -> Stage {
+        let is_better = |one: &Outcome| {
+            let is_better = |plain: &Outcome| one.left < BETTER * plain.left && one.is_smooth_beyond(&plain.limits);
+            self.plain.as_ref().is_none_or(is_better)
+        };
+        let Some(outcome) = outcome.filter(is_better) else { return self.next() };
+        self.sought.limits.clone_from(&outcome.limits);
+        let is_bound = outcome.is_bound();
+        self.plain = Some(outcome);
+        match self.template(profiles).filter(|_| is_bound) {
+            Some(template) => {
+                let limits = self.sought.limits.iter().map(|(reach, fixed)| (2 * reach, *fixed)).collect();
+                Stage::Seeking(Box::new(Seeking::new(Sought { limits, ..self.sought.clone() }, template)), None)
+            }
+            None => self.next(),
+        }
+    }
+
+    /// Template of the clicked frame.
+    fn template(&self, profiles: &[Vec<f32>]) -> Option<Template> {
+        let (clicked, row) = self.sought.clicked;
+        Template::new(profiles.get(clicked)?, row, self.sought.half, &self.strongest)
     }
 
     fn next(&mut self) -> Stage {
@@ -132,9 +158,7 @@ impl Separating {
             self.signals.push(with_differences(values, rows));
             return Stage::Cleaning(reflection);
         }
-        let (clicked, row) = self.sought.clicked;
-        let profile = self.profiles.get(clicked);
-        match profile.and_then(|profile| Template::new(profile, row, self.sought.half, &self.strongest)) {
+        match self.template(&self.profiles) {
             Some(template) => Stage::Seeking(Box::new(Seeking::new(self.sought.clone(), template)), Some(reflection)),
             None => self.next(),
         }

@@ -5,6 +5,7 @@
 
 mod align;
 mod bore;
+mod certainty;
 mod compression;
 mod contrast;
 mod exposure;

@@ -1,7 +1,10 @@
 //! Result of the search of a path, and whether its motion is that of a surface.
 
+use crate::tracking::column::certainty::Certainty;
 use crate::tracking::column::regions::Regions;
-use crate::tracking::column::seeking::{Certainty, Limit};
+
+/// For a frame, the maximum motion since the previous frame in rows, and the first and last row of an anchor.
+pub(crate) type Limit = (usize, Option<(usize, usize)>);
 
 /// Best path with its residuals.
 #[derive(Clone, Debug)]

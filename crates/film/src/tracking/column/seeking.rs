@@ -1,7 +1,8 @@
 //! Path of the surface from the click. Several candidates are improved by the two regions that all frames then show.
 //! The candidate with the least residual is chosen.
 
-use crate::tracking::column::outcome::Outcome;
+use crate::tracking::column::certainty::Certainty;
+use crate::tracking::column::outcome::{Limit, Outcome};
 use crate::tracking::column::path::{Search, Template, strengths};
 use crate::tracking::column::regions::{Regions, Shape, Sums};
 use crate::tracking::median::median;
@@ -16,15 +17,6 @@ const ROUNDS: usize = 4;
 const NEAR: [f64; ROUNDS + 1] = [1.5, 1.0, 0.7, 0.5, 0.5];
 /// Ratio of residuals below which a later candidate replaces the best one; of equal ones the simpler is kept.
 pub(crate) const BETTER: f64 = 0.995;
-/// A frame is doubtful below this lead or contrast, or above this misfit.
-const LEAD: f32 = 0.25;
-const CONTRAST: f32 = 1.0;
-const MISFIT: f32 = 0.6;
-/// A frame is clear above this lead and below this misfit.
-const CLEAR_LEAD: f32 = 0.45;
-const CLEAR_MISFIT: f32 = 0.3;
-/// Fraction of the rows passed by the surface, showing neither region, from which the tube is covered.
-const COVERED: f32 = 0.4;
 /// Minimum distance of an alternative row from the surface.
 pub(crate) const ELSEWHERE: usize = 6;
 
@@ -37,41 +29,6 @@ pub(crate) struct Sought {
     /// Number of rows on each side of the surface that are compared with the click.
     pub half: usize,
     pub limits: Vec<Limit>,
-}
-
-/// For a frame, the maximum motion since the previous frame in rows, and the first and last row of an anchor.
-pub(crate) type Limit = (usize, Option<(usize, usize)>);
-
-/// Certainty of the row of a frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Certainty {
-    /// Additional cost of a path through the best alternative row, relative to the additional cost predicted by the
-    /// model.
-    pub lead: f32,
-    /// Predicted additional cost, in units of the noise.
-    pub contrast: f32,
-    /// Mean cost of a value around the surface, 0 to 1.
-    pub misfit: f32,
-    /// Fraction of the rows passed by the surface that shows neither region.
-    pub covered: f32,
-}
-
-impl Certainty {
-    /// True if the two regions determine the row to about a pixel, even if the picture around it differs from the
-    /// others, for instance by leaves behind clear water.
-    pub(crate) fn is_clear(&self) -> bool {
-        self.lead > CLEAR_LEAD && self.misfit < CLEAR_MISFIT
-    }
-
-    /// True if something covers the tube.
-    pub(crate) fn is_hidden(&self) -> bool {
-        self.covered > COVERED && !self.is_clear()
-    }
-
-    /// True if the surface may be elsewhere, or is hidden.
-    pub(crate) fn is_doubtful(&self) -> bool {
-        self.lead < LEAD || self.contrast < CONTRAST || self.misfit > MISFIT
-    }
 }
 
 enum Stage {

@@ -1,13 +1,14 @@
 //! Computation of a track from the strips, in steps.
 
 use crate::tracking::column::align::{Agreement, align, residuals};
+use crate::tracking::column::certainty::Certainty;
 use crate::tracking::column::contrast::contrast;
 use crate::tracking::column::exposure::Candidates;
 use crate::tracking::column::path::{Template, strengths};
 use crate::tracking::column::pattern::{Fitting, Pattern, Pose, Residuals, Window};
 use crate::tracking::column::regions::Shape;
 use crate::tracking::column::removing::Removing;
-use crate::tracking::column::seeking::{Certainty, ELSEWHERE, Sought};
+use crate::tracking::column::seeking::{ELSEWHERE, Sought};
 use crate::tracking::column::separating::Separating;
 use crate::tracking::column::strip::{Grid, Strip, with_differences};
 use crate::tracking::motion::{motion, smear};

@@ -47,3 +47,31 @@ pub(in crate::fit) fn apart(series: &mut [Fitted]) -> Vec<Off> {
     far.sort_unstable_by_key(|off| off.place);
     far
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_far_from_all_others_have_their_distances_in_standard_deviations() {
+        // Eighteen values around 0 with the standard deviation sqrt(2/3), and two at 60 on either side.
+        let series = |residual: f64| -> Vec<Fitted> {
+            let value = |place: usize| match place {
+                18 => 60.0,
+                19 => -60.0,
+                _ => (place % 3) as f64 - 1.0,
+            };
+            (0..20).map(|place| Fitted { place, value: value(place), residual }).collect()
+        };
+        let far = apart(&mut series(2.0));
+        let distance = 60.0 / (2.0_f64 / 3.0).sqrt();
+        let expected = [(18, -distance), (19, distance)];
+        assert_eq!(far.len(), expected.len());
+        for (off, (place, sigmas)) in far.iter().zip(expected) {
+            assert_eq!(off.place, place);
+            assert!((off.sigmas - sigmas).abs() < 1e-9 * distance, "{} at {place}", off.sigmas);
+        }
+        // A curve that describes the others is not led astray.
+        assert!(apart(&mut series(0.1)).is_empty());
+    }
+}

@@ -23,11 +23,11 @@ globalThis.interruptAfter = (milliseconds) => {
 
 try {
   await pyodide.loadPackage(pathToFileURL(wheel).href, { messageCallback: () => {} });
-  pyodide.FS.mkdir("/work");
-  pyodide.FS.mount(pyodide.FS.filesystems.NODEFS, { root: resolve(folder) }, "/work");
-  pyodide.FS.chdir("/work");
+  pyodide.FS.mkdir("/project");
+  pyodide.FS.mount(pyodide.FS.filesystems.NODEFS, { root: resolve(folder) }, "/project");
+  pyodide.FS.chdir("/project");
   pyodide.globals.set("beside", relative(folder, dirname(program)));
-  pyodide.runPython(`import sys; sys.path.insert(0, "/work/" + beside); sys.dont_write_bytecode = True`);
+  pyodide.runPython(`import sys; sys.path.insert(0, "/project/" + beside); sys.dont_write_bytecode = True`);
   pyodide.runPython(readFileSync(program, "utf8"), { filename: basename(program) });
 } catch (error) {
   // Without the line of Pyodide's own program, which is a megabyte long.

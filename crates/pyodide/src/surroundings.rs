@@ -1,4 +1,4 @@
-//! What Python gives the module: files, the player, and signals.
+//! The surroundings that Python gives the module: files, the player, and signals.
 
 use js_sys::{Array, Uint8Array};
 use runner::Files;

@@ -1,4 +1,4 @@
-//! What the machine gives: files, the player inside this library, and signals.
+//! The surroundings that the machine gives: files, the player inside this library, and signals.
 
 use pyo3::prelude::*;
 use runner::records::{MOST_BYTES, bounded, too_large};

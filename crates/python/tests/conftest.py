@@ -9,28 +9,9 @@ import subprocess
 import pytest
 
 import meniscus
+from everywhere import OSCILLATION as DAMPED
 
 ROOT = pathlib.Path(__file__).parents[3]
-
-DAMPED = """---
-title: Damped oscillation
-until: 2 [s]
-step: 0.001
-vary: gamma, omega, x_0
----
-
-```model
-parameter gamma = 0.3 [1/s] in 0..5 "Damping rate"
-parameter omega = 10 [rad/s] in 1..100 "Natural angular frequency"
-parameter x_0 = 2 [cm] in 1..9 "Displacement at the start"
-switch damped = on
-
-x'' = if damped then -2*gamma*x' - omega^2*x else -omega^2*x
-x(0) = x_0 in [cm] "Displacement"
-x'(0) = 0
-```
-"""
-
 
 @pytest.fixture
 def damped():

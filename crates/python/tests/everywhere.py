@@ -12,10 +12,10 @@ import meniscus
 
 SIMULATIONS = pathlib.Path("simulations")
 
-DAMPED = """---
+OSCILLATION = """---
 title: Damped oscillation
 until: 2 [s]
-step: 0.01
+step: 0.001
 vary: gamma, omega, x_0
 ---
 
@@ -28,10 +28,15 @@ switch damped = on
 x'' = if damped then -2*gamma*x' - omega^2*x else -omega^2*x
 x(0) = x_0 in [cm] "Displacement"
 x'(0) = 0
-fast = abs(x') > 0.1 [m/s]
-side = if x > 0 [m] then "right" else "left"
 ```
 """
+
+MORE = """x'(0) = 0
+fast = abs(x') > 0.1 [m/s]
+side = if x > 0 [m] then "right" else "left"
+"""
+
+DAMPED = OSCILLATION.replace("step: 0.001", "step: 0.01").replace("x'(0) = 0\n", MORE)
 
 RUNAWAY = "```model\nparameter a = 1 [1/(m s)]\nx' = a*x^2\nx(0) = 1 [m]\n```\n"
 

@@ -27,7 +27,7 @@ pub enum Record {
     Columns(Vec<(String, usize)>),
 }
 
-/// What is measured.
+/// A measured quantity.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Observed {

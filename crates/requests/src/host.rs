@@ -1,10 +1,10 @@
-//! What the caller gives.
+//! The surroundings of requests, which the caller gives.
 
 use runner::records::{MOST_BYTES, too_large};
 use runner::{Files, Refusal};
 use std::path::Path;
 
-/// What the caller gives: its files, and a word in long work.
+/// The surroundings of requests: files, the player, and a word in long work.
 pub trait Host: Files {
     /// Bytes of a file of measured data.
     ///

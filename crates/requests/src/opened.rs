@@ -31,7 +31,7 @@ enum Request {
     Texts(Vec<(String, String)>),
 }
 
-/// What Python keeps of an opened document.
+/// The part of an opened document that Python keeps.
 #[derive(Serialize)]
 struct Answer<'a> {
     title: &'a str,
@@ -106,7 +106,7 @@ impl Opened {
         &self.theory
     }
 
-    /// What the last sweep was prepared with.
+    /// Preparation of the last sweep.
     pub(crate) fn last_sweep(&self) -> Option<Arc<Kept>> {
         self.kept.lock().ok().and_then(|kept| kept.clone())
     }

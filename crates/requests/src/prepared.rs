@@ -1,4 +1,4 @@
-//! What sweeps with other numbers have in common.
+//! Preparations that sweeps with other numbers have in common.
 
 use crate::arguments::Given;
 use crate::fault::{Fault, read};

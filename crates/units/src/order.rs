@@ -10,20 +10,31 @@ use std::cmp::Ordering;
 const FEW: usize = 32;
 
 /// Value at index `rank`, from 0, in the order of [`f64::total_cmp`]; NaN if there are not as many values.
+pub fn nth(values: &[f64], rank: usize) -> f64 {
+    select(values.iter().map(|value| key(*value)).collect(), rank).map_or(f64::NAN, value)
+}
+
+/// Median of the magnitudes of numbers, for an even number the upper one of the two middle values; NaN without values.
+pub fn median_magnitude(values: &[f32]) -> f32 {
+    // Numbers without a sign have the order of their bits.
+    let magnitudes: Vec<u32> = values.iter().map(|value| value.abs().to_bits()).collect();
+    let half = magnitudes.len() / 2;
+    select(magnitudes, half).map_or(f32::NAN, f32::from_bits)
+}
+
+/// Key at index `rank`, from 0, in their order; none if there are not as many.
 ///
 /// Digits are selected byte by byte from the top, as in a radix sort. The standard library's selection is quadratic for
 /// equal values if compiled for size, as in the page, and the steps of an evenly sampled record are all equal.
-pub fn nth(values: &[f64], rank: usize) -> f64 {
-    let mut keys: Vec<u64> = values.iter().map(|value| key(*value)).collect();
-    let mut rank = rank;
+fn select<K: Copy + Ord + Into<u64>>(mut keys: Vec<K>, mut rank: usize) -> Option<K> {
     if rank >= keys.len() {
-        return f64::NAN;
+        return None;
     }
-    for shift in [56, 48, 40, 32, 24, 16, 8, 0] {
+    for byte in (0..size_of::<K>()).rev() {
         if keys.len() <= FEW {
             break;
         }
-        let digit = |key: u64| (key >> shift) as usize & 0xff;
+        let digit = |key: K| (key.into() >> (8 * byte)) as usize & 0xff;
         let mut counts = [0_usize; 256];
         keys.iter().for_each(|key| counts[digit(*key)] += 1);
         let mut wanted = 0;
@@ -31,13 +42,20 @@ pub fn nth(values: &[f64], rank: usize) -> f64 {
             rank = rest;
             wanted += 1;
         }
-        keys.retain(|key| digit(*key) == wanted);
+        // Without a branch, which would be hard to predict.
+        let mut kept = 0;
+        for at in 0..keys.len() {
+            let key = keys[at];
+            keys[kept] = key;
+            kept += usize::from(digit(key) == wanted);
+        }
+        keys.truncate(kept);
     }
     // The remaining keys are few, or all equal.
     if keys.len() <= FEW {
         sort(&mut keys);
     }
-    keys.get(rank).map_or(f64::NAN, |key| value(*key))
+    keys.get(rank).copied()
 }
 
 /// Median, for an even number the upper one of the two middle values; NaN without values.
@@ -105,7 +123,7 @@ fn value(key: u64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{median, middle, nth, sort, sort_by, sort_by_key, sort_numbers};
+    use super::{median, median_magnitude, middle, nth, sort, sort_by, sort_by_key, sort_numbers};
     use proptest::prelude::*;
 
     fn agrees(values: &[f64]) {
@@ -165,6 +183,13 @@ mod tests {
             agrees(&values);
             let repeated: Vec<f64> = values.iter().take(equal).cycle().take(values.len()).copied().collect();
             agrees(&repeated);
+        }
+
+        #[test]
+        fn the_median_of_magnitudes_does_not_see_signs(values in prop::collection::vec(prop::num::f32::ANY, 1..200)) {
+            let mut magnitudes: Vec<f32> = values.iter().map(|value| value.abs()).collect();
+            magnitudes.sort_by(f32::total_cmp);
+            prop_assert_eq!(median_magnitude(&values).to_bits(), magnitudes[magnitudes.len() / 2].to_bits());
         }
     }
 }

@@ -45,10 +45,12 @@ async function choose(lab, name, options = {}) {
 /** Where a grip stands in the window. */
 async function grip(lab, name) {
   const knob = lab.page.locator(`.drawing-overlay .grip.${name} .knob`);
-  await knob.waitFor();
-  await knob.scrollIntoViewIfNeeded();
-  const { x, y, width, height } = await knob.boundingBox();
-  return [x + width / 2, y + height / 2];
+  // A grip is another element as soon as a changed text has been read.
+  return eventually(async () => {
+    await knob.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await knob.boundingBox();
+    return [x + width / 2, y + height / 2];
+  });
 }
 
 /** Drags from a place by a way, in CSS pixels. */

@@ -208,3 +208,42 @@ fn resemblance(values: &[f64]) -> f64 {
     }
     libm::sin(core::f64::consts::FRAC_PI_2 * quadrants).min(0.99)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Removal;
+
+    /// Residuals of the line through the values that are kept, at all times, and the leverages of all times in it: 1/m + (t - mean)^2
+    /// / sum, in closed form.
+    fn line(times: &[f64], values: &[f64], removed: &[bool]) -> (Vec<f64>, Vec<f64>) {
+        let kept: Vec<(f64, f64)> =
+            times.iter().zip(values).zip(removed).filter(|one| !one.1).map(|one| (*one.0.0, *one.0.1)).collect();
+        let count = kept.len() as f64;
+        let mean_time = kept.iter().map(|one| one.0).sum::<f64>() / count;
+        let mean = kept.iter().map(|one| one.1).sum::<f64>() / count;
+        let square: f64 = kept.iter().map(|one| (one.0 - mean_time) * (one.0 - mean_time)).sum();
+        let slope = kept.iter().map(|one| (one.0 - mean_time) * (one.1 - mean)).sum::<f64>() / square;
+        let residuals =
+            times.iter().zip(values).map(|(time, value)| value - mean - slope * (time - mean_time)).collect();
+        (residuals, times.iter().map(|time| 1.0 / count + (time - mean_time) * (time - mean_time) / square).collect())
+    }
+
+    #[test]
+    fn values_are_removed_as_from_a_fit_to_the_others() {
+        let times = [0.0, 1.0, 2.5, 3.0, 4.0, 6.0, 6.5, 9.0];
+        let values = [1.0, 2.5, 0.0, 7.0, 4.0, 30.0, 5.5, 8.0];
+        let mean = times.iter().sum::<f64>() / 8.0;
+        let length = times.iter().map(|time| (time - mean) * (time - mean)).sum::<f64>().sqrt();
+        let basis = [vec![0.125_f64.sqrt(); 8], times.iter().map(|time| (time - mean) / length).collect()];
+        let mut removal = Removal::new(&basis, 8);
+        let mut residuals = line(&times, &values, &[false; 8]).0;
+        for place in [5, 3, 2] {
+            assert!(removal.remove(place, &mut residuals));
+            let (expected, leverage) = line(&times, &values, &removal.removed);
+            for row in 0..8 {
+                assert!((residuals[row] - expected[row]).abs() < 1e-12, "{row} without {place}: {}", residuals[row]);
+                assert!((removal.leverage[row] - leverage[row]).abs() < 1e-12, "leverage of {row} without {place}");
+            }
+        }
+    }
+}

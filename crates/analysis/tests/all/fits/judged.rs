@@ -4,7 +4,7 @@ use crate::support::Noise;
 use crate::support::fitting::{
     DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, parameter, record, task,
 };
-use analysis::fit::{Fit, Outcome, Varied, Verdict, rank};
+use analysis::fit::{Fit, Observation, Outcome, Varied, Verdict, rank};
 use program::Model;
 use units::Language;
 
@@ -182,6 +182,36 @@ fn verdicts_are_of_all_columns_and_records() {
         // They leave the same residuals, so the verdict is the same.
         assert_eq!(apart.verdict(), two.verdict());
         assert!((apart.autocorrelation - two.autocorrelation).abs() < 1e-9);
+    }
+}
+
+/// Straight line by the formulas of textbooks: AICc = deviance + 2k + 2k(k + 1)/(n - k - 1) and BIC = deviance + k ln n (Burnham &
+/// Anderson, Model Selection, 2002, sections 2.4 and 6.4), with n ln(sum/n) as the deviance of errors that are estimated, whose variance
+/// is one more number, and with chi^2 for errors that are given.
+#[test]
+fn criteria_and_intervals_of_a_line_are_those_of_textbooks() {
+    let line = model(LINE);
+    let times = frames(30);
+    let values = noisy(&times, &mut Noise::new(5), 0.0, |time| 2.0 - 0.3 * time);
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / 30.0;
+    let (mean_time, mean_value) = (mean(&times), mean(&values));
+    let square: f64 = times.iter().map(|time| (time - mean_time) * (time - mean_time)).sum();
+    let rows = || times.iter().zip(&values).map(|(time, value)| (time - mean_time, value - mean_value));
+    let slope = rows().map(|(time, value)| time * value).sum::<f64>() / square;
+    let sum: f64 = rows().map(|(time, value)| (value - slope * time) * (value - slope * time)).sum();
+    let observed = observation(&line, "y", 0, &times, &values);
+    let given = Observation { errors: Some(vec![SIGMA; 30]), ..observed.clone() };
+    let estimated = 30.0 * libm::log(sum / 30.0);
+    for (observed, k, deviance) in [(observed, 3.0, estimated), (given, 2.0, sum / (SIGMA * SIGMA))] {
+        let outcome = fitted(&line, task(&line, record(vec![observed]), &["a", "s"]));
+        let aicc = deviance + 2.0 * k + 2.0 * k * (k + 1.0) / (30.0 - k - 1.0);
+        let bic = deviance + k * libm::log(30.0);
+        assert!((outcome.aicc.unwrap() - aicc).abs() < 1e-6, "{:?} {aicc}", outcome.aicc);
+        assert!((outcome.bic - bic).abs() < 1e-6, "{} {bic}", outcome.bic);
+        let found = outcome.estimate("s").unwrap();
+        let (low, high) = found.interval().unwrap();
+        let reach = found.coverage_factor() * found.stderr_hac.unwrap();
+        assert!((low - (slope - reach)).abs() < 1e-9 && (high - (slope + reach)).abs() < 1e-9, "{low} {high}");
     }
 }
 

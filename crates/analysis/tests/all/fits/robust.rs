@@ -37,15 +37,19 @@ fn published_results_are_found() {
     let times: Vec<f64> = (0..21).map(f64::from).collect();
     let values: Vec<f64> = lost.map(f64::from).to_vec();
     let task = task(&model, record(vec![observation(&model, "y", 0, &times, &values)]), &["a", "b", "c", "d"]);
-    for (loss, expected, scale) in [
-        (Loss::Squares, [-39.9197, 0.7156, 1.2953, -0.1521], None),
-        (Loss::Huber, [-41.0265, 0.8294, 0.9261, -0.1278], Some(2.441)),
-        (Loss::Tukey, [-42.2853, 0.9275, 0.6507, -0.1123], Some(2.282)),
+    // Values, standard errors, and the scale of the residuals.
+    for (loss, expected, errors, scale) in [
+        (Loss::Squares, [-39.9197, 0.7156, 1.2953, -0.1521], [11.8960, 0.1349, 0.3680, 0.1563], None),
+        (Loss::Huber, [-41.0265, 0.8294, 0.9261, -0.1278], [9.8073, 0.1112, 0.3034, 0.1289], Some(2.441)),
+        (Loss::Tukey, [-42.2853, 0.9275, 0.6507, -0.1123], [9.5045, 0.1077, 0.2940, 0.1249], Some(2.282)),
     ] {
         let outcome = fitted(&model, with(loss, &task));
-        for (name, expected) in ["a", "b", "c", "d"].into_iter().zip(expected) {
+        for ((name, expected), error) in ["a", "b", "c", "d"].into_iter().zip(expected).zip(errors) {
             let found = value(&outcome, name);
             assert!((found - expected).abs() < 1e-3 * expected.abs().max(1.0), "{loss:?} {name}: {found} {expected}");
+            // The package takes the variance of the slopes with n - 1 instead of n.
+            let found = outcome.estimate(name).unwrap().stderr.unwrap();
+            assert!((found / error - 1.0).abs() < 5e-3, "{loss:?} {name}: {found} {error}");
         }
         let found = outcome.reweighted.as_ref().map(|robust| robust.scale);
         assert!(found.zip(scale).is_none_or(|(found, scale)| (found - scale).abs() < 2e-3), "{loss:?}: {found:?}");

@@ -12,6 +12,7 @@ mod ranking;
 mod robust;
 mod scale;
 mod sentinels;
+mod starts;
 mod undersampled;
 mod undetermined;
 mod utube;

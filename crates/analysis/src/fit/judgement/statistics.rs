@@ -108,4 +108,24 @@ mod tests {
         assert!(runs_test(&[&alternate]).unwrap().z > 2.9);
         assert_eq!(runs_test(&[&cling[..6]]), None);
     }
+
+    /// 1.1447 cbrt(100,000 alpha), with alpha computed by another program from the correlations 1/4, 3/4 and -11/12.
+    #[test]
+    fn lags_are_those_of_the_formula() {
+        let quarter = [1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0];
+        let cling = [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0];
+        let alternate = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
+        let nothing = [0.0; 12];
+        let cases: [(&[&[f64]], usize); 5] = [
+            (&[&quarter], 34),
+            (&[&quarter, &alternate], 79),
+            (&[&cling, &nothing], 120),
+            (&[&alternate], 270),
+            (&[&quarter, &cling], 120),
+        ];
+        for (scores, expected) in cases {
+            assert_eq!(lags(scores, 100_000), expected);
+        }
+        assert_eq!((lags(&[&alternate], 12), lags(&[&alternate], 3), lags(&[&nothing], 100)), (4, 0, 0));
+    }
 }

@@ -237,3 +237,22 @@ pub(in crate::fit) fn deviance(residuals: &[f64], least: f64) -> f64 {
     let cost = |residual: &f64| (TAILS + 1.0) * libm::log1p(square(residual, scale) / TAILS);
     2.0 * count * libm::log(scale) + residuals.iter().map(cost).sum::<f64>()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::deviance;
+
+    #[test]
+    fn the_deviance_is_the_least_of_all_scales() {
+        let residuals = [0.3, -1.1, 0.7, 2.5, -0.2, 0.05, -0.9, 40.0, 1.3, -1.8];
+        let at = |scale: f64| {
+            let cost = |residual: &f64| 5.0 * libm::log(1.0 + residual * residual / (4.0 * scale * scale));
+            20.0 * libm::log(scale) + residuals.iter().map(cost).sum::<f64>()
+        };
+        let least = (1..5_000).map(|step| at(0.001 * f64::from(step))).fold(f64::INFINITY, f64::min);
+        let found = deviance(&residuals, 1e-9);
+        assert!(found <= least && found > least - 1e-6, "{found} {least}");
+        // A scale that is bounded from below.
+        assert!((deviance(&residuals, 10.0) - at(10.0)).abs() < 1e-9);
+    }
+}

@@ -87,3 +87,25 @@ fn sliding_sums(series: &[f64], window: usize) -> Vec<f64> {
         .map(|end| series[(end + 1).saturating_sub(window)..series.len().min(end + 1)].iter().sum())
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{dot, sliding_sums};
+
+    #[test]
+    fn products_of_sliding_sums_are_those_at_all_lags_with_bartlett_weights() {
+        let one = [1.0, 2.0, -1.0, 3.0, 0.5, -2.0];
+        let other = [0.5, -1.0, 4.0, 1.0, -3.0, 2.0];
+        for window in 1..=8_usize {
+            let mut expected = 0.0;
+            for (row, value) in one.iter().enumerate() {
+                for (other_row, other_value) in other.iter().enumerate() {
+                    let lag = row.abs_diff(other_row) as f64;
+                    expected += value * other_value * (1.0 - lag / window as f64).max(0.0);
+                }
+            }
+            let found = dot(&sliding_sums(&one, window), &sliding_sums(&other, window)) / window as f64;
+            assert!((found - expected).abs() < 1e-12, "{window}: {found} {expected}");
+        }
+    }
+}

@@ -208,6 +208,9 @@ fn criteria_and_intervals_of_a_line_are_those_of_textbooks() {
         let bic = deviance + k * libm::log(30.0);
         assert!((outcome.aicc.unwrap() - aicc).abs() < 1e-6, "{:?} {aicc}", outcome.aicc);
         assert!((outcome.bic - bic).abs() < 1e-6, "{} {bic}", outcome.bic);
+        let r2 = 1.0 - sum / rows().map(|(_, value)| value * value).sum::<f64>();
+        assert!((outcome.r2 - r2).abs() < 1e-9 && (outcome.observations[0].r2 - r2).abs() < 1e-9, "{}", outcome.r2);
+        assert!((outcome.observations[0].rmse / (sum / 30.0).sqrt() - 1.0).abs() < 1e-9);
         let found = outcome.estimate("s").unwrap();
         let (low, high) = found.interval().unwrap();
         let reach = found.coverage_factor() * found.stderr_hac.unwrap();

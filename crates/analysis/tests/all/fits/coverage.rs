@@ -212,3 +212,26 @@ fn profiles_of_a_bent_problem_are_lopsided_and_contain_the_truth() {
     assert!((62.0..73.0).contains(&inside[0]) && (92.0..98.0).contains(&inside[1]), "{inside:?}");
     assert!(lopsided > records * 4 / 5, "{lopsided}");
 }
+
+/// Errors that grow with the distance from the middle: the variance of the slope is sum(x^4)/sum(x^2)^2, 9/5 of that for errors of one
+/// size (H. White, Econometrica 48 (1980) 817).
+#[test]
+fn errors_of_uneven_size_are_in_the_standard_errors() {
+    let line = model(LINE);
+    let times: Vec<f64> = (0..101).map(|row| f64::from(row - 50) / 50.0).collect();
+    let power = |power: f64| times.iter().map(|time| libm::pow(time.abs(), power)).sum::<f64>();
+    let truth = 5e-4 * power(4.0).sqrt() / power(2.0);
+    let mut noise = Noise::new(1_980);
+    let (mut textbook, mut robust) = (0.0, 0.0);
+    for _ in 0..300 {
+        let value = |time: &f64| 2.0 - 0.3 * time + 5e-4 * time.abs() * noise.normal();
+        let values: Vec<f64> = times.iter().map(value).collect();
+        let observed = observation(&line, "y", 0, &times, &values);
+        let outcome = fitted(&line, task(&line, record(vec![observed]), &["c", "s"]));
+        let found = outcome.estimate("s").unwrap();
+        textbook += found.stderr.unwrap() / truth / 300.0;
+        robust += found.stderr_hac.unwrap() / truth / 300.0;
+    }
+    assert!((textbook - (5.0_f64 / 9.0).sqrt()).abs() < 0.02, "{textbook}");
+    assert!((robust - 1.0).abs() < 0.05, "{robust}");
+}

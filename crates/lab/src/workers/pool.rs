@@ -53,10 +53,20 @@ struct Member {
     name: u32,
     worker: BrowserWorker,
     order: Option<u32>,
-    /// True once it has reported something.
+    /// True once it waits for orders.
+    is_ready: bool,
+    /// True once it has answered an order.
     answers: bool,
     /// Functions that the worker calls.
     _calls: [Closure<dyn FnMut(JsValue)>; 2],
+}
+
+impl Member {
+    fn send(&self, number: u32, order: &Order) {
+        // Numbers and texts can always be written.
+        let bytes = postcard::to_allocvec(&(number, order)).unwrap_or_default();
+        self.worker.post(&Uint8Array::from(bytes.as_slice()));
+    }
 }
 
 /// Message of a worker about an order.
@@ -99,14 +109,26 @@ impl Pool {
     pub fn begin(&mut self, order: &Order) -> u32 {
         self.ordered += 1;
         let number = self.ordered;
-        let member = match self.members.iter().position(|member| member.order.is_none()) {
+        let free = (0..self.members.len()).filter(|place| self.members[*place].order.is_none());
+        let member = match free.max_by_key(|place| self.members[*place].is_ready) {
             Some(place) => &mut self.members[place],
             None => self.start(),
         };
         member.order = Some(number);
-        // Numbers and texts can always be written.
-        member.worker.post(&Uint8Array::from(postcard::to_allocvec(order).unwrap_or_default().as_slice()));
+        member.send(number, order);
         number
+    }
+
+    /// Starts all workers that can be had.
+    pub fn start_all(&mut self) {
+        while !self.is_refused && self.members.len() < self.count() {
+            self.start();
+        }
+    }
+
+    /// Number of workers that have been started and can take orders.
+    pub fn ready(&self) -> usize {
+        self.members.iter().filter(|member| member.is_ready).count()
     }
 
     fn start(&mut self) -> &mut Member {
@@ -123,7 +145,7 @@ impl Pool {
         };
         let calls = [report(|message| Some(Uint8Array::new(&message).to_vec())), report(|_| None)];
         let worker = start(calls[0].as_ref().unchecked_ref(), calls[1].as_ref().unchecked_ref());
-        self.members.push_mut(Member { name, worker, order: None, answers: false, _calls: calls })
+        self.members.push_mut(Member { name, worker, order: None, is_ready: false, answers: false, _calls: calls })
     }
 
     /// Messages since the last call, in the order of time, with the numbers of the orders.
@@ -137,8 +159,13 @@ impl Pool {
                 continue;
             };
             let member = &mut self.members[place];
+            member.is_ready = true;
+            // The first message is empty. Answers about an order that is not wanted any more may still come.
+            let Ok((number, answer)) = postcard::take_from_bytes::<u32>(&answer) else { continue };
             member.answers = true;
-            all.extend(member.order.map(|order| (order, Heard::Answer(answer))));
+            if member.order == Some(number) {
+                all.push((number, Heard::Answer(answer.to_vec())));
+            }
         }
         all
     }
@@ -176,6 +203,15 @@ impl Pool {
             }
             keeps
         });
+    }
+
+    /// Tells the workers whose orders are not wanted to stop. They can take another order at once.
+    pub fn stop_others(&mut self, wanted: &[u32]) {
+        for member in &mut self.members {
+            if let Some(number) = member.order.take_if(|order| !wanted.contains(order)) {
+                member.send(number, &Order::Stop);
+            }
+        }
     }
 
     /// Ends all workers.

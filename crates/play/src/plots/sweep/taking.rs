@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug)]
 pub(super) struct Taking {
     /// Intermediate results of the aggregates.
-    pub folds: Folds,
+    pub(super) folds: Folds,
     /// Values at the previous row, for points.
     before: Option<Vec<f64>>,
     /// Points, SI units: one value per curve for each of them.
-    pub points: Vec<f64>,
+    pub(super) points: Vec<f64>,
 }
 
 /// What is taken from a complete run, SI units. A run that cannot start has neither points nor values.

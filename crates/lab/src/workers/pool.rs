@@ -109,8 +109,7 @@ impl Pool {
     pub fn begin(&mut self, order: &Order) -> u32 {
         self.ordered += 1;
         let number = self.ordered;
-        let free = (0..self.members.len()).filter(|place| self.members[*place].order.is_none());
-        let member = match free.max_by_key(|place| self.members[*place].is_ready) {
+        let member = match self.members.iter().position(|member| member.order.is_none()) {
             Some(place) => &mut self.members[place],
             None => self.start(),
         };
@@ -126,9 +125,9 @@ impl Pool {
         }
     }
 
-    /// Number of workers that have been started and can take orders.
-    pub fn ready(&self) -> usize {
-        self.members.iter().filter(|member| member.is_ready).count()
+    /// True if all workers that can be had have been started and can take orders.
+    pub fn is_ready(&self) -> bool {
+        self.members.len() >= self.count() && self.members.iter().all(|member| member.is_ready)
     }
 
     fn start(&mut self) -> &mut Member {

@@ -26,7 +26,8 @@ impl SweepWorkers for SweepPool {
             return 0;
         }
         self.pool.start_all();
-        self.pool.ready()
+        // The runs are shared equally, so all workers begin together.
+        if self.pool.is_ready() { self.pool.count() } else { 0 }
     }
 
     fn begin(&mut self, work: SweepWork) -> u32 {

@@ -77,3 +77,62 @@ impl Batches {
         ready
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn workers_share_the_runs_equally() {
+        // Ends of the batches; each begins where the one before ends.
+        for (open, workers, ends) in [
+            (0..0, 2, &[][..]),
+            (0..1, 2, &[1]),
+            (0..14, 1, &[14]),
+            (0..14, 2, &[7, 14]),
+            (3..18, 4, &[7, 11, 15, 18]),
+            // Fewer than 16 runs are not made side by side.
+            (0..20, 2, &[16, 20]),
+            (1..101, 2, &[51, 101]),
+            (0..150, 2, &[38, 76, 114, 150]),
+            (0..192, 3, &[64, 128, 192]),
+        ] {
+            let mut batches = Batches::default();
+            let mut found = vec![open.start];
+            while let Some(runs) = batches.next(open.clone(), workers) {
+                assert_eq!(Some(&runs.start), found.last());
+                batches.add(0, runs.clone());
+                found.push(runs.end);
+            }
+            assert_eq!(found[1..], *ends, "{open:?} by {workers}");
+        }
+    }
+
+    #[test]
+    fn runs_are_ready_up_to_the_first_one_that_is_missing() {
+        let runs = |values: Range<usize>| {
+            let run = |value| TakenRun { points: vec![value as f64], values: Vec::new() };
+            values.map(run).collect::<Vec<_>>()
+        };
+        let mut batches = Batches::default();
+        batches.add(7, 0..3);
+        batches.add(8, 3..5);
+        batches.take(8, &runs(3..4));
+        assert_eq!(batches.ready(), []);
+        batches.take(7, &runs(0..2));
+        // A number that is not known is ignored.
+        batches.take(9, &runs(0..2));
+        assert_eq!(batches.ready(), runs(0..2));
+        batches.take(8, &runs(4..5));
+        assert_eq!(batches.ready(), []);
+        assert_eq!(batches.in_progress().collect::<Vec<_>>(), [7]);
+        // More runs than a batch has are ignored.
+        batches.take(7, &runs(2..9));
+        assert_eq!(batches.ready(), runs(2..5));
+        assert_eq!((batches.ready(), batches.in_progress().count()), (Vec::new(), 0));
+        batches.add(10, 5..6);
+        batches.clear();
+        batches.take(10, &runs(5..6));
+        assert_eq!(batches.ready(), []);
+    }
+}

@@ -62,7 +62,7 @@ visit("a plot over the values of a parameter says how far it is, and is read by 
   assert.match(await lab.told(), /ω = 3[.\d]*\s/);
 });
 
-/** Opens a pendulum with a plot over the angle from which it starts. `change`: what is different in its text. */
+/** Opens a pendulum with two plots over the angle from which it starts. `change` changes its text. */
 async function swings(lab, change = (text) => text) {
   const path = temporary("swings.md");
   writeFileSync(path, change(readFileSync(beside("swings.md"), "utf8")));
@@ -73,7 +73,7 @@ async function swings(lab, change = (text) => text) {
 const plot = (lab, title) => lab.page.locator("figure.plot", { has: lab.page.getByRole("heading", { name: title, exact: true }) });
 const isComplete = (lab, title) => eventually(async () => assert.equal(await plot(lab, title).locator(".progress").count(), 0), 120);
 
-/** Begins, moves the slider twice while runs are made, and takes the data of both plots. */
+/** Moves the slider three times while runs are made, and takes the data of both plots once they are complete. */
 async function moved(lab) {
   await swings(lab);
   const slider = lab.slider(/^Friction/);

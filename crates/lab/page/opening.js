@@ -39,10 +39,12 @@ globalThis.opening = {
           const script = `${text};onmessage=({data})=>{onmessage=null;laboratory({module_or_path:data})}`;
           const worker = new Worker(`data:text/javascript,${encodeURIComponent(script)}`);
           worker.onerror = refused;
-          worker.onmessage = () => {
+          // The first message says that the worker is ready; it is empty.
+          worker.onmessage = ({ data }) => {
             worker.onmessage = ({ data }) => heard(data);
             worker.onerror = failed;
             done(worker);
+            heard(data);
           };
           worker.postMessage(module);
         }),

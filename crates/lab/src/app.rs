@@ -9,7 +9,7 @@ use crate::guide::Step;
 use crate::publish::Sheet;
 use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
-use crate::workers::FitWorkers;
+use crate::workers::{FitWorkers, SweepPool};
 use crate::write::{Editor, Panel};
 use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
@@ -66,6 +66,8 @@ pub struct Lab {
     pub fitting: bool,
     /// Computes fits beside the page.
     pub workers: FitWorkers,
+    /// Computes plots over a parameter beside the page.
+    pub sweeps: SweepPool,
     /// Queue of files to be read as records.
     pub files: VecDeque<File>,
     /// True while a file of the queue is being read.

@@ -62,7 +62,10 @@ fn take_over(mut handed: Handed, place: &HtmlElement) {
 
 fn prepare(app: App) {
     shell::prepare(app.page);
-    app.with(|lab| lab.workers.wake_by(move || fit::go_on(app)));
+    app.with(|lab| {
+        lab.workers.wake_by(move || fit::go_on(app));
+        lab.sweeps.wake_by(move || app.page.wake());
+    });
     view::page::opening::keep_tab(app.page);
     opening::save_when_left(app);
     navigation::listen(app);

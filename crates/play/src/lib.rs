@@ -59,6 +59,7 @@ pub use facts::{Fact, FactValue, facts_of_answers, facts_of_run};
 pub use open_run::OpenRun;
 pub use play::Play;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
+pub use plots::{SweepComputation, SweepNews, SweepWork, SweepWorkers, TakenRun};
 pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
 pub use refusal::Refusal;
 pub use removed::Removals;

@@ -27,6 +27,13 @@ pub trait Host {
         false
     }
 
+    /// Continues the runs of plots over a parameter. Returns true if work remains for the next frame.
+    fn work_on_plots(&self) -> bool {
+        let mut remains = false;
+        self.with_play(&mut |play| remains = play.change_plots(|plots, run| plots.work(run)));
+        remains
+    }
+
     /// Returns the events since the last call. With `by_slider`, changes of parameter values are omitted, because the
     /// slider itself announces its value.
     fn news(&self, by_slider: bool) -> Vec<News> {

@@ -92,7 +92,9 @@ fn draw(app: App, now: f64) {
     let advanced = app.nodes(|nodes| {
         nodes.asked = None;
         let part = app.host().part();
-        app.read(|play| advance(nodes, play, part, now))
+        app.read(|play| tick(nodes, play, now));
+        let working = app.host().work_on_plots();
+        app.read(|play| advance(nodes, play, part, now, working))
     });
     let Some((goes_on, values)) = advanced else { return };
     app.publish(values, false);
@@ -101,13 +103,17 @@ fn draw(app: App, now: f64) {
     }
 }
 
-/// Performs one frame. Returns (true if the run or other work continues, true if changing values are to be updated).
-fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64) -> (bool, bool) {
+/// Advances the run to the time of the frame.
+fn tick(nodes: &Nodes, play: &mut Play, now: f64) {
     let seconds = nodes.moved.map_or(0.0, |moved| (now - moved) / 1000.0);
     if play.time_line().is_playing() && seconds > 0.0 {
         play.change_run(|line, _| line.tick(seconds));
     }
-    let working = play.change_plots(|plots, run| plots.work(run));
+}
+
+/// Draws one frame. `working`: true if runs of plots are missing. Returns (true if the run or other work continues, true if
+/// changing values are to be updated).
+fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64, working: bool) -> (bool, bool) {
     let playing = play.time_line().is_playing();
     nodes.moved = playing.then_some(now);
     let values = !(playing || working) || now - nodes.shown >= 1000.0 / VALUES_PER_SECOND;

@@ -5,6 +5,7 @@ import { createRequire } from "node:module";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { Lab, STILL, drop, eventually, sight, temporary, visit } from "../lab.mjs";
 import { DAMPING, LENGTH, film, fit, openTheory, records, unzip } from "../measured.mjs";
+import { withoutWorkers } from "../workers.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const measured = new URL("../../../../shared/data/utube/U3.txt", import.meta.url);
@@ -291,13 +292,6 @@ visit("the part that is fitted is brushed in the plot", async (lab) => {
   await lab.page.mouse.move(edge, row);
   assert.equal(await cursor(), "");
 });
-
-/** The page in a browser that refuses workers. */
-function withoutWorkers() {
-  const file = temporary("without-workers.html");
-  writeFileSync(file, readFileSync(process.env.PAGE, "utf8").replace("worker-src data:; ", ""));
-  return file;
-}
 
 /** A theory and a record, in the tab with the fits. */
 async function measuredColumn(lab) {

@@ -5,13 +5,15 @@
 //
 // Each situation is repeated TIMES times (3), and the smallest of the longest counts: other programs make tasks longer, never shorter.
 // ONLY="opening, fit" chooses situations. With TRACE=1 each long animation frame tells its scripts, and a profile is written to /tmp.
-// A situation that did not take place fails. `workers` compares the time of a ranking by one worker with that by two.
+// A situation that did not take place fails. `workers` compares the time of a ranking by one worker with that by two, and `sweeps` the time
+// of a plot over a parameter by the page itself, by one worker and by two.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { Lab, eventually, temporary } from "../lab.mjs";
+import { Lab, beside, eventually, labPage, temporary } from "../lab.mjs";
 import { records } from "../measured.mjs";
+import { withoutWorkers } from "../workers.mjs";
 
 const TIMES = Number(process.env.TIMES ?? 3);
 const ROWS = 1_000_000;
@@ -61,6 +63,18 @@ async function sample(lab) {
   await lab.tab("Measure");
   await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
   await records(lab).waitFor();
+}
+
+const isSwept = (lab) => eventually(async () => assert.equal(await lab.page.locator("figure.plot:visible .progress").count(), 0), 300);
+
+/** Opens a pendulum that is started from 681 angles. */
+async function openSweep(lab) {
+  const path = temporary("swings.md");
+  writeFileSync(path, readFileSync(beside("swings.md"), "utf8").replace("until: 60 ", "until: 600 "));
+  await choose(lab, path);
+  await lab.page.getByRole("heading", { level: 1, name: "Swings" }).waitFor();
+  await eventually(async () => assert.equal(await lab.page.locator("figure.plot:visible .progress").count(), 1));
+  await isSwept(lab);
 }
 
 const results = (lab) => lab.page.locator(".fits tbody tr").count();
@@ -113,6 +127,16 @@ const situations = {
     },
   ],
   document: [() => {}, openLong],
+  sweep: [
+    openSweep,
+    async (lab) => {
+      const slider = lab.slider(/^Friction/);
+      await lab.play(slider);
+      await slider.focus();
+      for (let press = 0; press < 10; press += 1) await lab.page.keyboard.press("ArrowRight", { delay: 100 });
+      await isSwept(lab);
+    },
+  ],
 };
 
 /** Processor time in milliseconds of the tasks of the page's main thread in a trace, the longest first. */
@@ -193,5 +217,35 @@ if (only?.includes("workers") ?? true) {
     const least = { 1: Infinity, 2: Infinity };
     for (let time = 0; time < TIMES; time += 1) for (const workers of [1, 2]) least[workers] = Math.min(least[workers], await rankingTime(workers));
     console.log(`ranking: ${least[1].toFixed(1)} s by one worker, ${least[2].toFixed(1)} s by two: ${(least[1] / least[2]).toFixed(2)} times faster`);
+  });
+}
+
+/** Seconds until a plot over a parameter is complete after a change, with so many workers. */
+async function sweepTime(workers) {
+  const lab = await Lab.open({ fragment: "", file: workers ? labPage : withoutWorkers() });
+  try {
+    await lab.page.addInitScript((workers) => Object.defineProperty(Navigator.prototype, "hardwareConcurrency", { get: () => workers }), workers || 1);
+    await lab.page.reload();
+    await openSweep(lab);
+    const slider = lab.slider(/^Friction/);
+    await lab.play(slider);
+    await slider.focus();
+    const begun = Date.now();
+    await lab.page.keyboard.press("ArrowRight");
+    await eventually(async () => assert.equal(await lab.page.locator("figure.plot:visible .progress").count(), 1));
+    await isSwept(lab);
+    assert.equal(lab.page.workers().length, workers);
+    return (Date.now() - begun) / 1000;
+  } finally {
+    await lab.context.close();
+  }
+}
+
+if (only?.includes("sweeps") ?? true) {
+  test("sweeps", async () => {
+    const least = [Infinity, Infinity, Infinity];
+    for (let time = 0; time < TIMES; time += 1) for (const workers of [0, 1, 2]) least[workers] = Math.min(least[workers], await sweepTime(workers));
+    const [here, one, two] = least;
+    console.log(`plot over a parameter: ${here.toFixed(2)} s by the page, ${one.toFixed(2)} s by one worker, ${two.toFixed(2)} s by two: ${(here / two).toFixed(2)} times faster`);
   });
 }

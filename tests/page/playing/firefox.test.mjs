@@ -6,7 +6,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { launch } from "puppeteer-core";
-import { eventually, labPage, number, temporary } from "../lab.mjs";
+import { beside, eventually, labPage, number, temporary } from "../lab.mjs";
 import { SOME, SURFACE, freeSwing, isRight } from "../films.mjs";
 import { DAMPING, LENGTH, film } from "../measured.mjs";
 import { dropProject, packed } from "../tracker.mjs";
@@ -202,6 +202,20 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
   await visitor.whole();
   await visitor.openTab("Measure");
   await eventually(() => estimate("Length of the column"));
+});
+
+visit("a plot over a parameter is computed while its parameters change", "", async (visitor) => {
+  const { page } = visitor;
+  await visitor.find("slider", "Time line");
+  await (await page.$("#open-file")).uploadFile(beside("swings.md"));
+  await eventually(async () => assert.match(await page.title(), /^Swings/));
+  await visitor.openTab("Explore");
+  for (const value of ["0.2", "0.3"]) {
+    await (await visitor.find("textbox", "Friction")).click({ count: 3 });
+    await page.keyboard.type(`${value}\n`);
+    await visitor.drawn();
+  }
+  await eventually(async () => assert.ok(await page.$$eval("figure.plot .progress", (shown) => shown.every((progress) => !progress.checkVisibility()))), 120);
 });
 
 visit("a document is begun and written", "", async (visitor) => {

@@ -1,6 +1,6 @@
 //! The laboratory as the page around the views of the simulation: its announcements, views and storage.
 
-use super::Store;
+use super::{Lab, Store};
 use crate::{documents::saved, documents::visited, film, measuring::data, write};
 use desk::{Announcement, Desk};
 use play::{Embedding, Play};
@@ -24,6 +24,12 @@ impl Host for Store {
             desk.follow();
             desk.measured().lags(desk.play())
         })
+    }
+
+    fn work_on_plots(&self) -> bool {
+        let Some(mut lab) = self.lab() else { return false };
+        let Lab { desk: Some(desk), sweeps, .. } = &mut *lab else { return false };
+        desk.play_mut().change_plots(|plots, run| plots.work_beside(run, sweeps))
     }
 
     fn news(&self, by_slider: bool) -> Vec<News> {

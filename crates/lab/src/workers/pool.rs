@@ -53,10 +53,20 @@ struct Member {
     name: u32,
     worker: BrowserWorker,
     order: Option<u32>,
-    /// True once it has reported something.
+    /// True once it waits for orders.
+    is_ready: bool,
+    /// True once it has answered an order.
     answers: bool,
     /// Functions that the worker calls.
     _calls: [Closure<dyn FnMut(JsValue)>; 2],
+}
+
+impl Member {
+    fn send(&self, number: u32, order: &Order) {
+        // Numbers and texts can always be written.
+        let bytes = postcard::to_allocvec(&(number, order)).unwrap_or_default();
+        self.worker.post(&Uint8Array::from(bytes.as_slice()));
+    }
 }
 
 /// Message of a worker about an order.
@@ -104,9 +114,20 @@ impl Pool {
             None => self.start(),
         };
         member.order = Some(number);
-        // Numbers and texts can always be written.
-        member.worker.post(&Uint8Array::from(postcard::to_allocvec(order).unwrap_or_default().as_slice()));
+        member.send(number, order);
         number
+    }
+
+    /// Starts all workers that can be had.
+    pub fn start_all(&mut self) {
+        while !self.is_refused && self.members.len() < self.count() {
+            self.start();
+        }
+    }
+
+    /// True if all workers that can be had have been started and can take orders.
+    pub fn is_ready(&self) -> bool {
+        self.members.len() >= self.count() && self.members.iter().all(|member| member.is_ready)
     }
 
     fn start(&mut self) -> &mut Member {
@@ -123,7 +144,7 @@ impl Pool {
         };
         let calls = [report(|message| Some(Uint8Array::new(&message).to_vec())), report(|_| None)];
         let worker = start(calls[0].as_ref().unchecked_ref(), calls[1].as_ref().unchecked_ref());
-        self.members.push_mut(Member { name, worker, order: None, answers: false, _calls: calls })
+        self.members.push_mut(Member { name, worker, order: None, is_ready: false, answers: false, _calls: calls })
     }
 
     /// Messages since the last call, in the order of time, with the numbers of the orders.
@@ -137,8 +158,13 @@ impl Pool {
                 continue;
             };
             let member = &mut self.members[place];
+            member.is_ready = true;
+            // The first message is empty. Answers about an order that is not wanted any more may still come.
+            let Ok((number, answer)) = postcard::take_from_bytes::<u32>(&answer) else { continue };
             member.answers = true;
-            all.extend(member.order.map(|order| (order, Heard::Answer(answer))));
+            if member.order == Some(number) {
+                all.push((number, Heard::Answer(answer.to_vec())));
+            }
         }
         all
     }
@@ -176,6 +202,15 @@ impl Pool {
             }
             keeps
         });
+    }
+
+    /// Tells the workers whose orders are not wanted to stop. They can take another order at once.
+    pub fn stop_others(&mut self, wanted: &[u32]) {
+        for member in &mut self.members {
+            if let Some(number) = member.order.take_if(|order| !wanted.contains(order)) {
+                member.send(number, &Order::Stop);
+            }
+        }
     }
 
     /// Ends all workers.

@@ -1,10 +1,11 @@
 //! What happens in a worker: it does what the page orders, one order after the other, and answers.
 
+use super::answer::answer;
 use super::order::Order;
+use super::sweeping::Sweeping;
 use class::collection::{Calculator, Computed};
 use desk::{FitNews, FitWork};
 use js_sys::{Date, Uint8Array};
-use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
@@ -20,15 +21,19 @@ pub fn is_worker() -> bool {
 /// Accepts orders. The page waits for the first message, which is empty.
 pub fn serve() {
     let Ok(worker) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
+    let Some(sweeping) = Sweeping::new(&worker) else { return };
     let (page, mut calculator) = (worker.clone(), Calculator::default());
     let accept = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
-        match postcard::from_bytes(&Uint8Array::new(&event.data()).to_vec()) {
-            Ok(Order::Fit(work)) => fit(*work, &page),
-            Ok(Order::HandIns(orders)) => {
+        let message = postcard::from_bytes::<(u32, Order)>(&Uint8Array::new(&event.data()).to_vec());
+        let Ok((number, order)) = message else { return };
+        match order {
+            Order::Fit(work) => fit(*work, number, &page),
+            Order::HandIns(orders) => {
                 let computed: Vec<Option<Computed>> = orders.iter().map(|order| calculator.compute(order)).collect();
-                answer(&page, &computed);
+                answer(&page, number, &computed);
             }
-            Err(_) => {}
+            Order::Sweep(work) => sweeping.begin(number, *work),
+            Order::Stop => sweeping.stop(),
         }
     });
     worker.set_onmessage(Some(accept.as_ref().unchecked_ref()));
@@ -38,7 +43,7 @@ pub fn serve() {
 }
 
 /// Computes a fit. The page ends the worker if it does not want the result any more.
-fn fit(work: FitWork, page: &DedicatedWorkerGlobalScope) {
+fn fit(work: FitWork, number: u32, page: &DedicatedWorkerGlobalScope) {
     let mut computation = work.start();
     // Models that cannot be compiled, or whose code the browser refuses, are interpreted.
     computation.compile(|listing| host::compile(Ok(listing)).ok());
@@ -48,16 +53,11 @@ fn fit(work: FitWork, page: &DedicatedWorkerGlobalScope) {
         let is_last = matches!(news, FitNews::Found(_));
         let now = Date::now();
         if is_last || now - reported >= BETWEEN {
-            answer(page, &news);
+            answer(page, number, &news);
             reported = now;
         }
         if is_last {
             return;
         }
     }
-}
-
-fn answer(page: &DedicatedWorkerGlobalScope, answer: &impl Serialize) {
-    let bytes = Uint8Array::from(postcard::to_allocvec(answer).unwrap_or_default().as_slice());
-    let _ = page.post_message_with_transfer(&bytes, &js_sys::Array::of1(&bytes.buffer()));
 }

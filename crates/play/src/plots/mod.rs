@@ -27,6 +27,7 @@ use program::{Drawing, Plot, Program};
 use section::{Moments, Section};
 use std::cell::OnceCell;
 use sweep::Swept;
+pub use sweep::{SweepComputation, SweepNews, SweepWork, SweepWorkers, TakenRun};
 use traces::Columns;
 
 /// Number of document plots shown initially: the scene needs the room, and the others are one click away.
@@ -72,7 +73,7 @@ impl Plots {
             match &mut plot.content {
                 Content::Run => {}
                 Content::Section(section) => section.follow(line.course_between_rows()),
-                Content::Swept(swept) => drop(swept.follow(line.course())),
+                Content::Swept(swept) => swept.follow(line.course()),
                 Content::Profile(profile, _) => profile.follow(line.course()),
                 Content::Histogram(histogram) => {
                     let plot = line.columns().plot(index);
@@ -93,15 +94,50 @@ impl Plots {
     pub fn work(&mut self, run: OpenRun<'_>) -> (bool, Changes) {
         let mut left = WORK_PER_TICK;
         let mut worked = false;
-        for plot in self.states.iter_mut().filter(|plot| plot.shown) {
-            let Some(swept) = plot.swept_mut() else { continue };
+        for swept in self.shown_sweeps() {
             swept.follow(run.course());
             let before = swept.progress();
             swept.proceed(run.line.motion(run.basis), &mut left);
             worked |= swept.progress() != before;
         }
-        let remains = self.states.iter().any(|plot| plot.shown && plot.swept().is_some_and(Swept::is_unfinished));
+        (self.shown_sweeps().any(|swept| swept.is_unfinished()), Changes::FRAME.only_if(worked))
+    }
+
+    /// As [`Plots::work`], but workers compute what the first call after a change leaves. The picture is the same to the bit.
+    /// Returns true if work remains here; when workers have news, it must be called again.
+    pub fn work_beside(&mut self, run: OpenRun<'_>, workers: &mut dyn SweepWorkers) -> (bool, Changes) {
+        for plot in self.states.iter_mut().filter(|plot| !plot.shown) {
+            plot.swept_mut().into_iter().for_each(Swept::take_back);
+        }
+        let mut sweeps: Vec<&mut Swept> = self.shown_sweeps().collect();
+        sweeps.iter_mut().for_each(|swept| swept.follow(run.course()));
+        let in_progress =
+            |sweeps: &[&mut Swept]| sweeps.iter().flat_map(|swept| swept.in_progress()).collect::<Vec<_>>();
+        let before: Vec<_> = sweeps.iter().map(|swept| swept.progress()).collect();
+        workers.keep(&in_progress(&sweeps));
+        for (number, news) in workers.news() {
+            sweeps.iter_mut().for_each(|swept| swept.take_news(number, &news));
+        }
+        let mut busy = in_progress(&sweeps).len();
+        let mut left = WORK_PER_TICK;
+        let mut remains = false;
+        for swept in sweeps.iter_mut().filter(|swept| swept.is_unfinished()) {
+            let count = if swept.is_new() { 0 } else { workers.count() };
+            if count == 0 {
+                swept.take_back();
+                swept.proceed(run.line.motion(run.basis), &mut left);
+                remains |= swept.is_unfinished();
+            } else {
+                busy += swept.hand_out(run.basis.model(), workers, [count.saturating_sub(busy), count]);
+            }
+        }
+        let worked = sweeps.iter().map(|swept| swept.progress()).ne(before);
         (remains, Changes::FRAME.only_if(worked))
+    }
+
+    /// Curves over parameters that are shown.
+    fn shown_sweeps(&mut self) -> impl Iterator<Item = &mut Swept> {
+        self.states.iter_mut().filter(|plot| plot.shown).filter_map(PlotState::swept_mut)
     }
 
     /// Shows or hides a plot.

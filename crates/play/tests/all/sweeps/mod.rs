@@ -1,6 +1,7 @@
 //! Expressions of what is taken of runs, over the values of a parameter: their values, units and what stands behind them.
 
 mod side_by_side;
+mod workers;
 
 use crate::support::{open, set};
 use play::engine::{Compiled, Compiler, Listing, Setup, SideBySide};

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// Makes runs side by side of single ones, and counts them.
 #[derive(Debug, Default)]
-struct Singles(Rc<Cell<usize>>);
+pub struct Singles(Rc<Cell<usize>>);
 
 #[derive(Debug)]
 struct Beside {

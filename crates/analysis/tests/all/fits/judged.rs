@@ -211,6 +211,10 @@ fn criteria_and_intervals_of_a_line_are_those_of_textbooks() {
         let r2 = 1.0 - sum / rows().map(|(_, value)| value * value).sum::<f64>();
         assert!((outcome.r2 - r2).abs() < 1e-9 && (outcome.observations[0].r2 - r2).abs() < 1e-9, "{}", outcome.r2);
         assert!((outcome.observations[0].rmse / (sum / 30.0).sqrt() - 1.0).abs() < 1e-9);
+        let correlation = -mean_time / (times.iter().map(|time| time * time).sum::<f64>() / 30.0).sqrt();
+        for (found, expected) in outcome.correlation.iter().zip([1.0, correlation, correlation, 1.0]) {
+            assert!((found - expected).abs() < 1e-9, "{:?}", outcome.correlation);
+        }
         let found = outcome.estimate("s").unwrap();
         let (low, high) = found.interval().unwrap();
         let reach = found.coverage_factor() * found.stderr_hac.unwrap();

@@ -1,10 +1,11 @@
 //! Follows bodies in drawn films whose truth is known, by clicks beside their middles, and prints how each went:
 //!
-//!     cargo run --release -p film --example bodies -- [KIND...] [FIRST SEED]
+//!     cargo run --release -p film --example bodies -- [KIND...] [--overlap] [FIRST SEED]
 //!
 //! Sizes, speeds, colours and exposures vary with the seed. `wrong` are frames more than 6 pixels off after the shift of the click,
 //! `silent` those of them without a mark, `false` marks on right frames. A click on both of two equal bodies does not show which of them is meant: marks
-//! on such a track are true, and `both` counts them.
+//! on such a track are true, and `both` counts them. `--overlap` clicks in the frame in which both bodies are nearest to one
+//! another.
 
 #![allow(
     clippy::expect_used,
@@ -24,9 +25,19 @@ use std::time::Instant;
 /// First clicks in films of each kind.
 const CLICKS: u64 = 20;
 
+/// Frame in the first two thirds of a film in which the first two bodies are nearest to one another; 0 for one body.
+fn nearest(stage: &Stage, frames: usize) -> usize {
+    let distance = |frame: &usize| {
+        let [one, other] = [0, stage.bodies() - 1].map(|body| stage.place(body, *frame as f64));
+        libm::hypot(one[0] - other[0], one[1] - other[1])
+    };
+    (0..2 * frames / 3).min_by(|one, other| distance(one).total_cmp(&distance(other))).unwrap_or(0)
+}
+
 fn main() {
     let mut wanted: Vec<String> = std::env::args().skip(1).collect();
     let seed: u64 = wanted.pop_if(|last| last.parse::<u64>().is_ok()).map_or(0, |last| last.parse().expect("a seed"));
+    let overlap = wanted.iter().position(|one| one == "--overlap").map(|at| wanted.remove(at)).is_some();
     let kinds = [
         Kind::DoublePendulum,
         Kind::Chaos,
@@ -56,7 +67,7 @@ fn main() {
             let stage = Stage::new(kind, seed, height, frames, coloured);
             let planes: Vec<_> = (0..frames).map(|frame| stage.frame(frame)).collect();
             for body in 0..stage.bodies() {
-                let first = (seed as usize * 7) % 40;
+                let first = if overlap { nearest(&stage, frames) } else { (seed as usize * 7) % 40 };
                 let position = stage.click(body, first, seed + 100 * body as u64, 0.6);
                 let settings =
                     Settings { keys: vec![Click { frame: first, position }], radius: None, readout: Known::Estimated };

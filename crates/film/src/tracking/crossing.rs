@@ -10,6 +10,8 @@ const MANY: usize = 10;
 const SOME: usize = 8;
 const FEW: usize = 6;
 const FEWEST: usize = 4;
+/// Number of positions on each side of a curve that follows them closely.
+pub(crate) const CLOSE: usize = 4;
 
 /// Polynomial by least squares through positions before and after a meeting, of the degree that their number allows.
 pub(crate) struct Curve {
@@ -34,6 +36,11 @@ impl Curve {
             8..12 => Curve::of::<SOME>(&sides),
             _ => Curve::of::<MANY>(&sides),
         }
+    }
+
+    /// Curve through four positions or more on each side that follows them closely, for a motion that turns between them. `None` with fewer.
+    pub(crate) fn close(before: &[Place], after: &[Place]) -> Option<Curve> {
+        if before.len().min(after.len()) < CLOSE { None } else { Curve::of::<FEW>(&[before, after].concat()) }
     }
 
     fn of<const TERMS: usize>(sides: &[Place]) -> Option<Curve> {

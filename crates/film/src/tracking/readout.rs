@@ -12,12 +12,16 @@ use crate::tracking::track::Readout;
 
 /// Maximum degree of the polynomials.
 const DEGREE: usize = 5;
+/// Minimum degree: phase and amplitude of few periods vary, too.
+const LEAST: usize = 2;
 /// Number of terms: a constant, the polynomials times cosine and sine, the squared position, and the readout time last.
 const TERMS: usize = 2 * (DEGREE + 1) + 3;
 /// Maximum number of frames; enough for an error below 1 ms.
 const FRAMES: usize = 600;
 /// Minimum number of periods in the film.
 const PERIODS: f64 = 3.0;
+/// Minimum number of periods for the deviation from an oscillation.
+const SOME: f64 = 2.0;
 /// Minimum ratio of the estimate to its standard error.
 const CLEAR: f64 = 4.0;
 /// Number of Gauss-Newton steps.
@@ -53,14 +57,14 @@ pub(crate) fn estimate(times: &[f64], values: &[f64], parts: &[f64]) -> Option<R
 }
 
 /// Root mean square deviation of the positions from an oscillation of slowly varying amplitude and phase, in the unit
-/// of `values`. `None` if the motion is not an oscillation of several periods.
+/// of `values`. `None` if the motion is not an oscillation of at least two periods.
 pub(crate) fn residual(times: &[f64], values: &[f64], parts: &[f64]) -> Option<f64> {
     let count = times.len().min(FRAMES);
     let (times, values, parts) = (times.get(..count)?, values.get(..count)?, parts.get(..count)?);
     if count < 3 * TERMS {
         return None;
     }
-    let cycles = cycles(times, values).filter(|cycles| *cycles >= PERIODS)?;
+    let cycles = cycles(times, values).filter(|cycles| *cycles >= SOME)?;
     Some(step(times, values, parts, times[0], times[count - 1] - times[0], cycles)?.2)
 }
 
@@ -91,7 +95,7 @@ fn step(
     span: f64,
     cycles: f64,
 ) -> Option<(f64, f64, f64)> {
-    let degree = DEGREE.min(cycles as usize - 1);
+    let degree = DEGREE.min((cycles as usize - 1).max(LEAST));
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let size = values.iter().map(|value| (value - mean).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let mut matrix = [[0.0; TERMS]; TERMS];

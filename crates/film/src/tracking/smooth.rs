@@ -1,6 +1,6 @@
 //! Where the neighbours of a point lead. Motions are smooth except where a body bounces.
 
-use crate::tracking::crossing::{Curve, Place};
+use crate::tracking::crossing::{CLOSE, Curve, Place};
 use crate::tracking::median::median;
 
 /// Maximum duration of the neighbours that are used, in median intervals between points.
@@ -86,14 +86,26 @@ impl Motion {
     /// [`Motion::distance`]; the less of both. `None` with too few of them.
     pub(crate) fn through(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<f64> {
         let near = self.distance(at, &usable).map(|[x, y]| libm::hypot(x, y));
-        let is_near = |one: &usize| (self.times[*one] - self.times[at]).abs() < AROUND.1 * self.interval;
-        let place = |one: usize| -> Place { (self.times[one], self.positions[one]) };
-        let before = (0..at).rev().take_while(is_near).filter(|one| usable(*one)).take(AROUND.0).map(place);
-        let after = (at + 1..self.times.len()).take_while(is_near).filter(|one| usable(*one)).take(AROUND.0).map(place);
-        let (mut before, after): (Vec<Place>, Vec<Place>) = (before.collect(), after.collect());
-        before.reverse();
+        let [before, after] = self.around(at, AROUND.0, usable);
         let far = Curve::through(&before, &after).map(|curve| curve.off(self.times[at], self.positions[at]));
         near.into_iter().chain(far).min_by(f64::total_cmp)
+    }
+
+    /// Distance of a point from a curve that follows the nearest usable points on both sides closely, px. `None` with too few of them.
+    pub(crate) fn closely(&self, at: usize, usable: impl Fn(usize) -> bool) -> Option<f64> {
+        let [before, after] = self.around(at, CLOSE, usable);
+        Curve::close(&before, &after).map(|curve| curve.off(self.times[at], self.positions[at]))
+    }
+
+    /// The nearest usable points on each side, at most `most`, in the order of time.
+    fn around(&self, at: usize, most: usize, usable: impl Fn(usize) -> bool) -> [Vec<Place>; 2] {
+        let is_near = |one: &usize| (self.times[*one] - self.times[at]).abs() < AROUND.1 * self.interval;
+        let place = |one: usize| -> Place { (self.times[one], self.positions[one]) };
+        let before = (0..at).rev().take_while(is_near).filter(|one| usable(*one)).take(most).map(place);
+        let after = (at + 1..self.times.len()).take_while(is_near).filter(|one| usable(*one)).take(most).map(place);
+        let (mut before, after): (Vec<Place>, Vec<Place>) = (before.collect(), after.collect());
+        before.reverse();
+        [before, after]
     }
 
     /// True if the motion before a point meets the motion after it within an interval of the point, and one of them leads to the point, both
@@ -162,6 +174,18 @@ mod tests {
         }
         assert_eq!(motion.through(20, |one| one < 15), None);
         assert_eq!(motion.through(20, |one| !(5..36).contains(&one)), None);
+    }
+
+    #[test]
+    fn a_fast_swing_is_led_closely_through_frames_without_the_body() {
+        let place = |k: i32| [130.0 * libm::cos(0.22 * f64::from(k)), 15.0 * libm::sin(0.44 * f64::from(k))];
+        // Every second frame of a swing with 29 frames a period.
+        let motion = Motion::new((0..30).map(|k| f64::from(2 * k)).collect(), (0..30).map(|k| place(2 * k)).collect());
+        for at in 4..26 {
+            let off = motion.closely(at, |_| true).expect("a distance");
+            assert!(off < 1.6, "{at}: {off}");
+        }
+        assert_eq!(motion.closely(3, |_| true), None);
     }
 
     #[test]

@@ -71,6 +71,36 @@ fn a_surface_that_moves_by_more_than_an_eighth_of_the_picture_in_a_frame_is_foll
 }
 
 #[test]
+fn small_motions_keep_their_amplitude() {
+    // Half the range of the motion, half the width of the bore, and seed.
+    for (swing, inner, seed) in [(2.0, 14.0, 1), (3.0, 9.0, 2), (5.0, 14.0, 3), (8.0, 14.0, 4)] {
+        let marks = Some((11.0, -40.0));
+        let film = Filmed { frames: 100, swing, inner, period: 25.0, decay: 400.0, marks, seed, ..Filmed::default() };
+        let (track, errors) = tracked(&film, &film.film(), seed);
+        assert_eq!(track.points.len(), 100);
+        let mean = errors.iter().sum::<f64>() / 100.0;
+        let rms = (errors.iter().map(|error| (error - mean) * (error - mean)).sum::<f64>() / 100.0).sqrt();
+        assert!(rms < 0.03, "{swing}: {rms:.3} px");
+    }
+}
+
+#[test]
+fn errors_contain_the_lag_of_a_compressed_film() {
+    for seed in [2, 3, 7, 12, 13, 14] {
+        let film = kind("small", seed, false);
+        let (track, errors) = tracked(&film, &film.film(), seed);
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        let squares = track
+            .points
+            .iter()
+            .zip(&errors)
+            .map(|(point, error)| (error - mean) / libm::hypot(point.sigma[0], point.sigma[1]));
+        let relative = (squares.map(|one| one * one).sum::<f64>() / errors.len() as f64).sqrt();
+        assert!((0.3..1.6).contains(&relative), "{seed}: {relative:.2} standard errors");
+    }
+}
+
+#[test]
 fn a_hidden_surface_is_a_gap() {
     let mut gaps = 0;
     for seed in 1..=4 {

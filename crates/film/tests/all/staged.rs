@@ -108,6 +108,21 @@ fn a_click_on_two_equal_bodies_one_of_which_covers_the_other_gives_no_wrong_fram
 }
 
 #[test]
+fn a_second_body_that_is_nowhere_in_the_frame_of_the_click_was_covered_there() {
+    // Seed, rows, frame of the click and number of further frames until the other body has been seen.
+    for (seed, rows, first, count, body) in [(2005, 240, 118, 60, 1), (2006, 360, 68, 60, 1)] {
+        let stage = Stage::new(Kind::Twins, seed, rows, 240, seed % 2 == 0);
+        let (track, shift) = followed(&stage, body, first..first + count, seed + 100 * body as u64).expect("a track");
+        let silent = track.points.iter().filter(|point| !point.doubtful).filter(|point| {
+            let truth = stage.place(body, point.frame as f64);
+            let off = [0, 1].map(|k| point.position[k] - truth[k] - shift[k]);
+            libm::hypot(off[0], off[1]) > WRONG
+        });
+        assert_eq!(silent.count(), 0, "film {seed}");
+    }
+}
+
+#[test]
 fn two_equal_bodies_that_meet_soon_after_the_click_are_told_apart() {
     // Seed, rows, frame of the click, and body: it meets the other one two, and five frames later.
     for (seed, rows, first, body) in [(6006, 120, 2, 1), (4002, 240, 14, 0)] {

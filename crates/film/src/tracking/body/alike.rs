@@ -1,5 +1,7 @@
 //! Search for a second body of the same look around the first one.
 
+use std::ops::Range;
+
 use crate::tracking::body::background::{Around, Compared};
 use crate::tracking::body::look::Look;
 use crate::tracking::body::meeting::far;
@@ -10,11 +12,11 @@ const SOUGHT: [f64; 2] = [1.2, 4.0];
 const AHEAD: f64 = 6.0;
 /// A rival is where the agreement reaches this part of what it can reach.
 const RIVAL: f32 = 0.7;
-/// A rival in the frame of a click is at least so much like the body.
-const LIKE: f32 = 0.6;
+/// A rival in the frame of a click, whose background is not known yet, is at least so much like the body.
+pub(super) const LIKE: f32 = 0.6;
 
 /// Distances in px from a body at which a rival is sought. `way`: motion of the body in a frame, px.
-pub(super) fn sought(radius: f64, way: f64) -> std::ops::Range<f64> {
+pub(super) fn sought(radius: f64, way: f64) -> Range<f64> {
     SOUGHT[0] * radius..SOUGHT[1] * radius + 2.0 * AHEAD * way
 }
 
@@ -25,11 +27,16 @@ fn square(middle: [f64; 2], steps: i64, step: f64) -> impl Iterator<Item = [f64;
 }
 
 impl Look {
-    /// The middle of another body in the frame of a click, whose background is not known yet.
-    pub(super) fn twin(&self, frame: &Compared<'_>, own: Around) -> Option<[f64; 2]> {
+    /// The middle of what is most like the body, whatever the background, within a range of distances around it, px; `None` if its likeness is less
+    /// than `least`.
+    pub(super) fn likest(
+        &self,
+        frame: &Compared<'_>,
+        own: Around,
+        (range, least): (Range<f64>, f32),
+    ) -> Option<[f64; 2]> {
         let (middle, radius) = own;
         let step = (radius / 4.0).max(1.0);
-        let range = sought(radius, 0.0);
         let steps = (range.end / step) as i64;
         let best = |places: &mut dyn Iterator<Item = [f64; 2]>| {
             let places = places.filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
@@ -38,8 +45,8 @@ impl Look {
         };
         let (place, value) = best(&mut square(middle, steps, step))?;
         let (place, value) =
-            if value > LIKE / 2.0 { best(&mut square(place, step as i64, 1.0))? } else { (place, value) };
-        (value > LIKE).then_some(place)
+            if value > least / 2.0 { best(&mut square(place, step as i64, 1.0))? } else { (place, value) };
+        (value > least).then_some(place)
     }
 
     /// The middle of the best agreement within a range of distances around a body, px.
@@ -47,7 +54,7 @@ impl Look {
         &self,
         frame: &Compared<'_>,
         (middle, radius): ([f64; 2], f64),
-        range: std::ops::Range<f64>,
+        range: Range<f64>,
     ) -> Option<[f64; 2]> {
         let step = (radius / 3.0).max(1.0);
         let steps = (range.end / step) as i64;

@@ -136,9 +136,10 @@ impl Body {
     /// Decides which of two bodies is which, once they have met and are apart again, from all sightings up to this frame.
     pub(super) fn distinguish(&mut self) {
         let radius = self.templates.last().map_or(0.0, |template| template.disc.outline);
+        let was_covered = self.was_covered();
         let Some(tracker) = &mut self.tracker else { return };
         let Some(rival) = &mut tracker.rival else { return };
-        let mut settled = rival.take((&self.seen, tracker.begin), tracker.exchangeable, radius);
+        let mut settled = rival.take((&self.seen, tracker.begin), (tracker.exchangeable, was_covered), radius);
         let is_over = rival.is_over(&self.seen, radius);
         if is_over {
             settled = settled.or_else(|| rival.settle((&self.seen, tracker.begin), MOST, radius));

@@ -12,6 +12,10 @@ use units::order::sort_by;
 const AGREES: f64 = 0.5;
 /// Minimum correlation of a reliable point with the template.
 const LIKE: f64 = 0.4;
+/// Minimum correlation of a moving point that is likely, and maximum deviation of such a point from a smooth curve through others, relative to that
+/// of a reliable point.
+const LIKELY: f64 = 0.7;
+const SMOOTH: f64 = 0.5;
 /// Maximum deviation of a reliable point from its neighbours, px and relative to the radius.
 const ASIDE: (f64, f64) = (2.5, 0.2);
 /// Maximum standard error of a reliable point, px and relative to the radius.
@@ -52,7 +56,7 @@ pub(super) fn joined(
     let mut points: Vec<Point> = Vec::with_capacity(seen.len());
     let mut formal = [Vec::new(), Vec::new()];
     let (mut limits, mut widest) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
-    let mut unsure = Vec::with_capacity(seen.len());
+    let (mut unsure, mut likely) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
     let is_long = |key: usize| seen.iter().filter(|one| one.key == key).count() >= SHORTEST || lost.is_none();
     let moved: Vec<bool> = moved
         .iter()
@@ -74,6 +78,7 @@ pub(super) fn joined(
             doubtful: !one.alone || moved.get(one.key) == Some(&false),
         });
         unsure.push(one.agreement < AGREES || now.score < LIKE || one.aside || !one.moves);
+        likely.push(now.score >= LIKELY && one.moves);
         let radius = templates.get(one.key).map_or(0.0, |template| template.disc.outline);
         limits.push(limit(radius));
         widest.push(WIDE.0.max(WIDE.1 * radius));
@@ -99,15 +104,26 @@ pub(super) fn joined(
     for at in resting(&points) {
         points[at].doubtful = true;
     }
-    // The motion of certain frames on both sides may settle a doubt that the look leaves.
-    let certain: Vec<bool> = points.iter().zip(&unsure).map(|(point, unsure)| !point.doubtful && !unsure).collect();
-    for (at, point) in points.iter_mut().enumerate().filter(|(at, _)| unsure[*at]) {
-        let off = motion.through(at, |one| certain[one]);
-        point.doubtful |= off.is_none_or(|off| off > limits[at]);
-    }
+    settle(&mut points, (&unsure, &likely), &motion, &limits);
     let outline =
         templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
     Track { points, readout, lost, outline, ..Track::default() }
+}
+
+/// Settles doubts that the look leaves, by the motion of other points on both sides. `unsure`: true for points with such a doubt; `likely`: true
+/// for those that resemble the body and move; `limits` in px.
+fn settle(points: &mut [Point], (unsure, likely): (&[bool], &[bool]), motion: &Motion, limits: &[f64]) {
+    let certain: Vec<bool> = points.iter().zip(unsure).map(|(point, unsure)| !point.doubtful && !unsure).collect();
+    let is_led = |at: usize| motion.through(at, |one| certain[one]).is_some_and(|off| off <= limits[at]);
+    let settled: Vec<bool> =
+        (0..points.len()).map(|at| certain[at] || unsure[at] && !points[at].doubtful && is_led(at)).collect();
+    // Patterns of the background that resemble the body lie on no smooth curve with it and with one another.
+    let likely: Vec<bool> = (0..points.len()).map(|at| settled[at] || likely[at] && !points[at].doubtful).collect();
+    for (at, point) in points.iter_mut().enumerate().filter(|(at, _)| !settled[*at]) {
+        let curves = || [motion.through(at, |one| likely[one]), motion.closely(at, |one| likely[one])];
+        let is_near = likely[at] && curves().into_iter().flatten().any(|off| off <= SMOOTH * limits[at]);
+        point.doubtful |= !is_near;
+    }
 }
 
 /// Maximum deviation of a reliable point from its neighbours, px. `radius` in px.

@@ -8,6 +8,7 @@ mod alike;
 mod appearance;
 mod background;
 mod course;
+mod covering;
 mod disc;
 mod exchanges;
 mod finding;
@@ -86,6 +87,8 @@ struct Tracker {
     rival: Option<Rival>,
     /// True if it may be exchanged for the body in the last frame.
     exchangeable: bool,
+    /// Frame and position (px) of the click, until a second body has been sought there.
+    clicked: Option<(Plane, [f64; 2])>,
     /// True from a meeting on after which the motion does not show which body is which.
     is_mistaken: bool,
 }

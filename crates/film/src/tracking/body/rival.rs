@@ -169,16 +169,17 @@ impl Rival {
     }
 
     /// Takes the next frame, in which both bodies may have been exchanged or not. `own`: where the body was seen up to this frame, without the
-    /// sightings before `begin`. Returns the assignment, once the motion shows it.
+    /// sightings before `begin`. `was_covered`: one of them covered the other at the click. Returns the assignment, once the motion shows it.
     pub(super) fn take(
         &mut self,
         (own, begin): (&[Seen], usize),
-        may_be_exchanged: bool,
+        (may_be_exchanged, was_covered): (bool, bool),
         radius: f64,
     ) -> Option<Settled> {
         let now = [own.len().saturating_sub(1), self.seen.len().saturating_sub(usize::from(self.hidden == 0))];
         let come_out = self.come_out(own.get(begin..).unwrap_or_default(), radius);
-        if let Some(from) = come_out.filter(|_| self.meeting.is_none()) {
+        let come_out = if was_covered { come_out.or(Some(0)) } else { come_out.filter(|_| self.meeting.is_none()) };
+        if let Some(from) = come_out {
             let closing = self.closing(own);
             self.meeting = Some(Meeting { from: [begin + from, 0], apart: now.map(|now| now + 1), closing });
             return None;

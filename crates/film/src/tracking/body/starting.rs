@@ -1,6 +1,7 @@
 //! Start of a track: template of a click, and the disc of the body once it has left its first place.
 
 use crate::plane::Plane;
+use crate::tracking::body::alike::{LIKE, sought};
 use crate::tracking::body::appearance::{AGREES, Appearance, Sighting};
 use crate::tracking::body::background::Background;
 use crate::tracking::body::disc::{Disc, around};
@@ -74,6 +75,9 @@ impl Body {
         let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
         if let Some(tracker) = &mut self.tracker {
             tracker.begin = begin;
+            if continued.is_some() {
+                tracker.clicked = None;
+            }
         }
         let aside = continued.is_some_and(|one| one.aside);
         Ok(Sighting::clicked(found, aside))
@@ -105,13 +109,15 @@ impl Body {
         let now = template.clone();
         let moving = Moving::new(plane, position, self.seen.len());
         let appearance = Appearance { look, now, axis, around: 1.0 };
-        let twin = appearance.look.twin(&background.compare(plane), (middle, disc.outline));
+        let near = sought(disc.outline, 0.0);
+        let twin = appearance.look.likest(&background.compare(plane), (middle, disc.outline), (near, LIKE));
         let rival = twin.and_then(|twin| {
             background.hide((twin, disc.radius));
             let place = [twin[0] - disc.shift[0], twin[1] - disc.shift[1]];
             let one = appearance.seek((&background.compare(plane), &template), (place, 2.0), AGREES, Some(position))?;
             Rival::at(frame, self.templates.len(), &one, &appearance)
         });
+        let is_alone = rival.is_none();
         self.tracker = Some(Tracker {
             appearance,
             background,
@@ -121,6 +127,7 @@ impl Body {
             moving,
             rival,
             exchangeable: false,
+            clicked: Some((plane.clone(), position)).filter(|_| is_alone),
             is_mistaken: false,
         });
         self.templates.push(template);

@@ -15,6 +15,9 @@ const SAME: u16 = 8;
 /// Minimum fraction of values that stay equal between frames (median over the film) if compression suppresses changes.
 /// Noise without compression leaves at most 0.03.
 const KEPT: f64 = 0.1;
+/// Maximum squared ratio of the changes over one frame to those over two (medians) if compression suppresses changes. Noise without compression
+/// has at least 0.98, since it does not last.
+const LASTING: f64 = 0.95;
 /// Standard error of a slow motion in multiples of the residual of a sinusoid. Observed: 1 to 5 in coarse films.
 const PLAY: f64 = 3.0;
 /// Maximum residual of a sinusoidal motion, relative to the amplitude (root mean square).
@@ -25,12 +28,7 @@ const FAST: f64 = 10.0;
 /// Standard error in px by the lag of a compressed film; 0 if the film shows no suppressed changes. `times` in s,
 /// `along` in rows, `read`: readout position of each point, relative to the height of the frame.
 pub(crate) fn lag(strips: &[Strip], times: &[f64], along: &[f64], read: &[f64]) -> f64 {
-    let kept = |pair: &[Strip]| {
-        let stride = (pair[0].grey.len() / COMPARED).max(1);
-        let pairs = || pair[0].grey.iter().zip(&pair[1].grey).step_by(stride);
-        pairs().filter(|(one, other)| one.abs_diff(**other) <= SAME).count() as f64 / pairs().count().max(1) as f64
-    };
-    if median(strips.windows(2).map(kept).collect()) < KEPT {
+    if !suppresses(strips) {
         return 0.0;
     }
     let Some(missed) = readout::residual(times, along, read) else { return 0.0 };
@@ -46,4 +44,26 @@ pub(crate) fn lag(strips: &[Strip], times: &[f64], along: &[f64], read: &[f64]) 
         return 0.0;
     }
     missed * (1.0 + (PLAY - 1.0) / (1.0 + speed))
+}
+
+/// True if compression suppresses small changes of the picture: many values stay equal, or noise lasts longer than a frame.
+fn suppresses(strips: &[Strip]) -> bool {
+    let changes = |one: &Strip, other: &Strip| -> Vec<u16> {
+        let stride = (one.grey.len() / COMPARED).max(1);
+        one.grey.iter().zip(&other.grey).step_by(stride).map(|(one, other)| one.abs_diff(*other)).collect()
+    };
+    let (mut kept, mut once, mut twice) = (Vec::new(), Vec::new(), Vec::new());
+    for part in strips.windows(3) {
+        let next = changes(&part[0], &part[1]);
+        kept.push(next.iter().filter(|change| **change <= SAME).count() as f64 / next.len().max(1) as f64);
+        once.push(middle(next));
+        twice.push(middle(changes(&part[0], &part[2])));
+    }
+    let (once, twice) = (median(once), median(twice));
+    median(kept) >= KEPT || once * once < LASTING * twice * twice
+}
+
+/// Median of some changes.
+fn middle(changes: Vec<u16>) -> f64 {
+    median(changes.into_iter().map(f64::from).collect())
 }

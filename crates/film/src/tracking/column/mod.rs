@@ -4,6 +4,7 @@
 //! through the space-time picture of the strips, and refines it on the pixels of the bore.
 
 mod align;
+mod amplitude;
 mod bore;
 mod certainty;
 mod compression;
@@ -21,6 +22,7 @@ mod seeking;
 mod separating;
 mod solving;
 mod strip;
+mod together;
 
 use crate::plane::Plane;
 use crate::tracking::refusal::Refusal;

@@ -28,6 +28,11 @@ impl Outcome {
         steps.zip(limits.iter().skip(1)).map(|(step, (reach, _))| step / (*reach).max(1) as f64).collect()
     }
 
+    /// Number of frames in doubt.
+    pub(crate) fn doubts(&self) -> usize {
+        self.certainties.iter().filter(|certainty| certainty.is_doubtful()).count()
+    }
+
     /// True if a step of the path is as long as the maximum motion. A faster surface is then elsewhere.
     pub(crate) fn is_bound(&self) -> bool {
         self.speeds(&self.limits).iter().any(|speed| speed.abs() >= 1.0)

@@ -91,6 +91,31 @@ impl Pattern {
         }
     }
 
+    /// Number of knots.
+    pub(crate) fn knots(&self) -> usize {
+        self.knots
+    }
+
+    /// Empty normal equations of the coefficients of a bin.
+    pub(crate) fn equations(&self) -> Banded {
+        Banded::new(self.knots, self.knots - 1)
+    }
+
+    /// Adds the penalty on second differences to normal equations.
+    pub(crate) fn smooth(&self, matrix: &mut Banded) {
+        let penalty = SMOOTHNESS * matrix.scale() + f64::MIN_POSITIVE;
+        for knot in 0..self.knots {
+            matrix.add(knot, knot, 1e-6 * penalty);
+        }
+        for knot in 0..self.knots.saturating_sub(2) {
+            for (k, one) in [1.0, -2.0, 1.0].into_iter().enumerate() {
+                for (j, other) in [1.0, -2.0, 1.0].into_iter().enumerate().skip(k) {
+                    matrix.add(knot + k, knot + j, penalty * one * other);
+                }
+            }
+        }
+    }
+
     /// Calls `act` with each row around the surface and the weights of its knots.
     pub(crate) fn rows(&self, pose: &Pose, weights: &mut Weights, mut act: impl FnMut(usize, &Weights)) {
         let last = (self.knots - 4) as f64;
@@ -183,7 +208,7 @@ pub(crate) struct Fitting {
 impl Fitting {
     pub(crate) fn new(pattern: &Pattern) -> Fitting {
         Fitting {
-            matrix: Banded::new(pattern.knots, pattern.knots - 1),
+            matrix: pattern.equations(),
             sides: vec![0.0; pattern.coefficients.len()],
             weights: Weights::default(),
             gains: 0.0,
@@ -216,17 +241,7 @@ impl Fitting {
     /// Solves for the coefficients of the pattern. Returns the mean gain of the frames, by which the pattern is
     /// multiplied.
     pub(crate) fn finish(mut self, pattern: &mut Pattern) -> f64 {
-        let penalty = SMOOTHNESS * self.matrix.scale() + f64::MIN_POSITIVE;
-        for knot in 0..pattern.knots {
-            self.matrix.add(knot, knot, 1e-6 * penalty);
-        }
-        for knot in 0..pattern.knots.saturating_sub(2) {
-            for (k, one) in [1.0, -2.0, 1.0].into_iter().enumerate() {
-                for (j, other) in [1.0, -2.0, 1.0].into_iter().enumerate().skip(k) {
-                    self.matrix.add(knot + k, knot + j, penalty * one * other);
-                }
-            }
-        }
+        pattern.smooth(&mut self.matrix);
         let mean = self.gains / self.frames;
         if self.frames == 0.0 || mean <= 0.0 || self.matrix.solve(&mut self.sides, pattern.window.width()).is_none() {
             return 1.0;

@@ -16,6 +16,8 @@ const LEFT: f64 = 0.9;
 /// and a second surface move along with the surface.
 const ALONG: f64 = 0.35;
 const FIRM: f64 = 6.0;
+/// Maximum fraction of the frames in doubt, besides those of the path within the maximum motion, of a faster path.
+const DOUBTS: f64 = 0.05;
 
 enum Stage {
     Seeking(Box<Seeking>, Option<Reflection>),
@@ -98,10 +100,13 @@ impl Separating {
     }
 
     /// Takes the path without a reflection. If it reaches the maximum motion, the search is repeated with twice that motion. Such a path
-    /// replaces it if it leaves less and is smooth where it is faster: things beside the surface invite jumps.
+    /// replaces it if it leaves less, is smooth where it is faster, and has few more frames in doubt: things beside the surface invite jumps.
     fn take(&mut self, outcome: Option<Outcome>, profiles: &[Vec<f32>]) -> Stage {
         let is_better = |one: &Outcome| {
-            let is_better = |plain: &Outcome| one.left < BETTER * plain.left && one.is_smooth_beyond(&plain.limits);
+            let is_better = |plain: &Outcome| {
+                let most = plain.doubts() as f64 + DOUBTS * plain.path.len() as f64;
+                one.left < BETTER * plain.left && one.doubts() as f64 <= most && one.is_smooth_beyond(&plain.limits)
+            };
             self.plain.as_ref().is_none_or(is_better)
         };
         let Some(outcome) = outcome.filter(is_better) else { return self.next() };

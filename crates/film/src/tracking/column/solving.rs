@@ -1,6 +1,7 @@
 //! Computation of a track from the strips, in steps.
 
 use crate::tracking::column::align::{Agreement, align, residuals};
+use crate::tracking::column::amplitude::{Amplified, Amplitude};
 use crate::tracking::column::certainty::Certainty;
 use crate::tracking::column::contrast::contrast;
 use crate::tracking::column::exposure::Candidates;
@@ -20,6 +21,11 @@ use units::order::sort_numbers;
 const ROUNDS: usize = 3;
 /// Root mean square change of positions in rows at which the iteration ends.
 const SETTLED: f64 = 0.005;
+/// Maximum number of searches for the amplitude, and change of the amplitude after which no further one follows.
+const SEARCHES: usize = 3;
+const SAME: f64 = 0.002;
+/// Number of iterations after a search for the amplitude.
+const AFTER: usize = 2;
 /// Maximum distance of the surface from the path, and from an anchor, rows.
 const REACH: f64 = 4.0;
 
@@ -76,6 +82,7 @@ enum Stage {
     Fitting(Fitting, usize),
     Aligning(Residuals, usize),
     Exposure(Box<Candidates>),
+    Amplitude(Box<Amplitude>),
     Finished,
 }
 
@@ -93,6 +100,8 @@ pub(crate) struct Solving {
     cleaned: Vec<Strip>,
     stage: Stage,
     round: usize,
+    /// Number of further searches for the amplitude.
+    searches: usize,
     /// Sum of the squared changes of positions in this iteration.
     change: f64,
     pattern: Pattern,
@@ -126,6 +135,7 @@ impl Solving {
             cleaned: Vec::new(),
             stage: Stage::Profiles,
             round: 0,
+            searches: SEARCHES,
             change: 0.0,
             poses: Vec::new(),
             agreements: Vec::new(),
@@ -143,7 +153,7 @@ impl Solving {
     /// Repeats the search after a change of the anchors.
     pub(crate) fn again(&mut self, anchors: Vec<(usize, f64)>) {
         self.task.anchors = anchors;
-        self.round = 0;
+        (self.round, self.searches) = (0, SEARCHES);
         self.pattern = Pattern::new(self.task.window(), 0.0);
         if self.task.exposure == Known::Estimated {
             self.exposure = None;
@@ -179,6 +189,13 @@ impl Solving {
                 }
                 None => Stage::Exposure(candidates),
             },
+            Stage::Amplitude(mut amplitude) => {
+                if amplitude.step(&self.pattern, strips, &self.poses) {
+                    self.amplify(*amplitude)
+                } else {
+                    Stage::Amplitude(amplitude)
+                }
+            }
             Stage::Finished => Stage::Finished,
         };
         if self.cleaned.is_empty() {
@@ -249,6 +266,20 @@ impl Solving {
         })
     }
 
+    /// Continues with the best multiple of the motion.
+    fn amplify(&mut self, amplitude: Amplitude) -> Stage {
+        self.searches -= 1;
+        if let Some(Amplified { multiple, middle, explained }) = amplitude.result() {
+            self.poses.iter_mut().for_each(|pose| pose.row = middle + multiple * (pose.row - middle));
+            self.pattern.background = explained.background;
+            if (multiple - 1.0).abs() < SAME {
+                self.searches = 0;
+            }
+        }
+        self.round = 2 * ROUNDS - AFTER;
+        self.begin_round()
+    }
+
     fn begin_round(&mut self) -> Stage {
         let rows: Vec<f64> = self.poses.iter().map(|pose| pose.row).collect();
         let exposure = match self.exposure {
@@ -301,6 +332,8 @@ impl Solving {
                 Stage::Exposure(Box::new(Candidates::new(&self.times, &self.poses, self.intervals.1)))
             } else if self.round < 2 * ROUNDS {
                 self.begin_round()
+            } else if let Some(amplitude) = Amplitude::new(&self.poses).filter(|_| self.searches > 0) {
+                Stage::Amplitude(Box::new(amplitude))
             } else if self.shows_clicked() {
                 Stage::Finished
             } else {

@@ -4,10 +4,9 @@
 use crate::body::Body;
 use crate::lists::ranges;
 use crate::rows::Origin;
-use crate::runs::Runs;
 use crate::sink::{Local, Sink};
 use crate::states::States;
-use crate::{lanes, window};
+use crate::{lanes, runs, window};
 use engine::tableau::STAGES;
 use engine::{LANES, LanesListing, Listing, Method, WindowLayout, WindowListing};
 
@@ -35,7 +34,7 @@ pub(crate) fn loops(listing: &Listing) -> usize {
     let formulas = listing.window.iter().flat_map(|window| &window.formulas).map(|formulas| formulas.lines.len());
     // What is in the order of the model is loaded and stored number by number: states, and what steps with control remember.
     let lists = if listing.window.is_some() { WindowLayout::OWN } else { 2 };
-    Runs::of(&listing.lines, &listing.rates).operations() + formulas.sum::<usize>() + lists * listing.states.len()
+    runs::count(&listing.lines) + formulas.sum::<usize>() + lists * listing.states.len()
 }
 
 /// Emits the loop over the steps.

@@ -89,11 +89,11 @@ impl Runs {
         let run = &self.list[self.by[register as usize].filter(|_| !self.is_kept(register))?];
         Some((run, (register - run.to) as usize))
     }
+}
 
-    /// Number of operations, those of a loop counted once.
-    pub fn operations(&self) -> usize {
-        self.list.len()
-    }
+/// Number of runs.
+pub(crate) fn count(lines: &[Line]) -> usize {
+    list(lines).len()
 }
 
 fn list(mut lines: &[Line]) -> Vec<Run> {

@@ -73,9 +73,8 @@ impl<'a> Recorded<'a> {
         let (rows, index) = (&step.order.moving_rows, &step.order.index);
         let dense = step.dense.iter().enumerate().map(|(degree, list)| (layout.dense(degree), list));
         let others = [(layout.to(), &step.to), (layout.peaks(), &step.peaks), (layout.rates(), &step.rates[0])];
-        for (place, list) in dense.chain(others) {
-            sink.store_list(rows, index, (Origin::Record, record + place), list);
-        }
+        let lists: Vec<_> = dense.chain(others).map(|(place, list)| (record + place, list.as_slice())).collect();
+        sink.store_lists(rows, index, Origin::Record, &lists);
         for (place, local) in step.clock().into_iter().chain([*attempts]).enumerate() {
             sink.address(Origin::Record);
             sink.store_at(record + place, local);
@@ -83,7 +82,7 @@ impl<'a> Recorded<'a> {
         sink.count();
         sink.instructions().i32_eqz();
         sink.begin_if();
-        sink.store_list(rows, index, (Origin::Block, layout.error()), &step.errors);
+        sink.store_lists(rows, index, Origin::Block, &[(layout.error(), &step.errors)]);
         sink.leave();
         sink.end();
     }

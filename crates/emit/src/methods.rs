@@ -46,7 +46,7 @@ pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
     let step = Step::load(listing, sink);
     sink.repeat(&step.states, |sink| {
         step.make(sink);
-        sink.store_list(&step.order.rows, &step.order.index, (Origin::Row, layout.row(0)), &step.states);
+        sink.store_lists(&step.order.rows, &step.order.index, Origin::Row, &[(layout.row(0), &step.states)]);
     });
 }
 

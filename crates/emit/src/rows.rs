@@ -1,7 +1,7 @@
 //! Lists in the order of the model, as the engine reads and writes them: rows, records, and what a window begins with. Where the code has
 //! another order, positions and velocities alternate in the model.
 
-use crate::lists::{LEAST, ranges};
+use crate::lists::LEAST;
 use crate::sink::{BLOCK, Local, RECORD, ROW, Sink, Values};
 use std::ops::Range;
 
@@ -14,24 +14,28 @@ pub(crate) enum Row {
     Alternating(Range<usize>, usize),
 }
 
-/// The states for which a condition holds. `index`: index of each state in the model; `places`: place of each state of the model.
-pub(crate) fn rows(index: &[usize], places: &[usize], condition: impl Fn(usize) -> bool) -> Vec<Row> {
-    let mut left: Vec<bool> = (0..index.len()).map(&condition).collect();
+/// The states for which a condition holds, in the order of the model. `places`: place of each state of the model.
+pub(crate) fn rows(places: &[usize], condition: impl Fn(usize) -> bool) -> Vec<Row> {
     let mut rows = Vec::new();
-    for range in ranges(index.len(), |a, b| left[a] && left[b] && index[a] + 2 == index[b]) {
-        let Some(&other) = places.get(index[range.start] + 1) else { continue };
-        let follow = |k: usize| places.get(index[k] + 1) == Some(&(other + k - range.start));
-        if range.len() >= LEAST && other >= range.end && range.clone().all(|k| left[k] && follow(k)) {
-            let others = other..other + range.len();
-            if others.clone().all(|k| left[k]) {
-                left[range.clone()].fill(false);
-                left[others].fill(false);
-                rows.push(Row::Alternating(range, other));
+    let mut k = 0;
+    while let Some(&place) = places.get(k) {
+        // Number of elements at every `stride`-th state from `first` on whose places follow one another.
+        let count = |first: usize, stride: usize| {
+            let follow = |&(element, &place): &(usize, &usize)| place == places[first] + element && condition(place);
+            places[first..].iter().step_by(stride).enumerate().take_while(follow).count()
+        };
+        let alternating = if k + 1 < places.len() { count(k, 2).min(count(k + 1, 2)) } else { 0 };
+        if alternating >= LEAST {
+            rows.push(Row::Alternating(place..place + alternating, places[k + 1]));
+            k += 2 * alternating;
+        } else {
+            let consecutive = count(k, 1);
+            if consecutive > 0 {
+                rows.push(Row::Consecutive(place..place + consecutive));
             }
+            k += consecutive.max(1);
         }
     }
-    let consecutive = ranges(index.len(), |a, b| left[a] == left[b] && index[a] + 1 == index[b]);
-    rows.extend(consecutive.into_iter().filter(|range| left[range.start]).map(Row::Consecutive));
     rows
 }
 
@@ -52,63 +56,85 @@ const NUMBERS: [[u8; 16]; 2] = [
 ];
 
 impl Sink<'_> {
-    /// Stores a list from number `first` on in the order of the model. `index`: index of each state in the model.
-    pub fn store_list(&mut self, rows: &[Row], index: &[usize], (origin, first): (Origin, usize), list: &[Local]) {
+    /// Does `step` for each state in the order of the model, for two at a time if they alternate: an element of each list.
+    pub fn each_row(&mut self, rows: &[Row], mut step: impl FnMut(&mut Self, &[usize])) {
         for row in rows {
             match row {
-                Row::Consecutive(range) => self.each_in(range.clone(), |sink, k| {
-                    sink.address(origin);
-                    sink.store_at(first + index[k], list[k]);
-                }),
-                Row::Alternating(range, other) => self.each_in(0..range.len(), |sink, k| {
-                    let (lists, place) = ([list[range.start + k], list[other + k]], first + index[range.start + k]);
-                    if sink.values() == Values::Numbers {
-                        for (next, local) in lists.into_iter().enumerate() {
-                            sink.address(origin);
-                            sink.store_at(place + next, local);
-                        }
-                        return;
-                    }
-                    let woven = sink.woven(|sink, which| sink.get(lists[which]));
-                    for (which, local) in woven.into_iter().enumerate() {
-                        sink.alternating_address(origin);
-                        sink.store_at(place + 2 * which, local);
-                    }
-                }),
+                Row::Consecutive(range) => self.each_in(range.clone(), |sink, k| step(sink, &[k])),
+                Row::Alternating(range, other) => {
+                    self.each_in(0..range.len(), |sink, k| step(sink, &[range.start + k, other + k]));
+                }
             }
         }
+    }
+
+    /// Stores lists in the order of the model, each from a number on. `index`: index of each state in the model.
+    pub fn store_lists(&mut self, rows: &[Row], index: &[usize], origin: Origin, lists: &[(usize, &[Local])]) {
+        self.each_row(rows, |sink, places| {
+            for (first, list) in lists {
+                let place = first + index[places[0]];
+                match *places {
+                    [one, other] if sink.values() == Values::Pairs => {
+                        let woven = sink.woven(|sink, which| sink.get(list[[one, other][which]]));
+                        for (which, local) in woven.into_iter().enumerate() {
+                            sink.alternating_address(origin);
+                            sink.store_at(place + 2 * which, local);
+                        }
+                    }
+                    _ => places.iter().enumerate().for_each(|(next, &k)| {
+                        sink.address(origin);
+                        sink.store_at(place + next, list[k]);
+                    }),
+                }
+            }
+        });
     }
 
     /// A list with numbers of the block from `first` on, which are in the order of the model.
     pub fn load_list(&mut self, rows: &[Row], index: &[usize], first: usize) -> Vec<Local> {
         let list = self.list(index.len());
-        for row in rows {
-            match row {
-                Row::Consecutive(range) => self.each_in(range.clone(), |sink, k| {
-                    sink.get(Local::Place(first + index[k]));
-                    sink.set(list[k]);
-                }),
-                Row::Alternating(range, other) => self.each_in(0..range.len(), |sink, k| {
-                    let (lists, place) = ([list[range.start + k], list[other + k]], first + index[range.start + k]);
-                    if sink.values() == Values::Numbers {
-                        for (next, local) in lists.into_iter().enumerate() {
-                            sink.get(Local::Place(place + next));
-                            sink.set(local);
-                        }
-                        return;
-                    }
+        self.each_row(rows, |sink, places| {
+            let place = first + index[places[0]];
+            match *places {
+                [one, other] if sink.values() == Values::Pairs => {
                     let woven = sink.woven(|sink, which| {
                         sink.alternating_address(Origin::Block);
                         sink.load_at(place + 2 * which);
                     });
-                    for (local, list) in woven.into_iter().zip(lists) {
+                    for (local, k) in woven.into_iter().zip([one, other]) {
                         sink.get(local);
-                        sink.set(list);
+                        sink.set(list[k]);
                     }
+                }
+                _ => places.iter().enumerate().for_each(|(next, &k)| {
+                    sink.get(Local::Place(place + next));
+                    sink.set(list[k]);
                 }),
             }
-        }
+        });
         list
+    }
+
+    /// Adds what [`Sink::each_row`] computes for its elements to a local variable, in the order of the model.
+    pub fn add_in_turn(&mut self, sum: Local, values: &[Local]) {
+        let is_loop = self.in_block() && self.values == Values::Pairs;
+        for lane in if is_loop { 0..2 } else { 0..1 } {
+            for &value in values {
+                if is_loop {
+                    self.values = Values::Numbers;
+                }
+                self.get(sum);
+                self.get(value);
+                if is_loop {
+                    self.instructions().f64x2_extract_lane(lane);
+                }
+                self.add();
+                self.set(sum);
+            }
+        }
+        if is_loop {
+            self.values = Values::Pairs;
+        }
     }
 
     /// Local variables with the first numbers and with the second ones of two pairs, which `push` pushes.

@@ -42,8 +42,8 @@ impl States {
         let bits = |k: usize| still[k].map(f64::to_bits);
         let all = ranges(index.len(), |a, b| bits(a) == bits(b) && registers[a] + 1 == registers[b]);
         let moving = all.iter().filter(|range| still[range.start].is_none()).cloned().collect();
-        let moving_rows = rows(&index, &places, |k| still[k].is_none());
-        let rows = rows(&index, &places, |_| true);
+        let moving_rows = rows(&places, |k| still[k].is_none());
+        let rows = rows(&places, |_| true);
         Self { index, registers, rates, still, all, moving, rows, moving_rows, places }
     }
 
@@ -54,10 +54,5 @@ impl States {
             parts.into_iter().map(|part| range.start + part.start..range.start + part.end)
         });
         some.filter(|range| condition(range.start)).collect()
-    }
-
-    /// States whose rates are not constant, in the order of the model.
-    pub fn moving_in_model(&self) -> impl Iterator<Item = usize> {
-        self.places.iter().copied().filter(|&place| self.still[place].is_none())
     }
 }

@@ -37,8 +37,6 @@ pub(crate) struct Step<'a> {
     floors: Vec<Local>,
     /// Estimated errors of the attempt.
     pub errors: Vec<Local>,
-    /// Squares of the errors in units of the allowed error.
-    ratios: Vec<Local>,
     /// Coefficients of the continuous solution, by degree.
     pub dense: [Vec<Local>; 5],
     /// Rates of each stage. After a step the first and the last ones are equal.
@@ -66,7 +64,7 @@ impl<'a> Step<'a> {
             [layout.time(), layout.longest(), layout.tolerance(), layout.below_peak()].map(load);
         let mut rates = vec![first];
         rates.extend((1..STAGES).map(|_| sink.list(states)));
-        let [errors, ratios] = std::array::from_fn(|_| sink.list(states));
+        let errors = sink.list(states);
         let [found, growth] = std::array::from_fn(|_| sink.local());
         Self {
             body,
@@ -87,7 +85,6 @@ impl<'a> Step<'a> {
             peaks,
             floors,
             errors,
-            ratios,
             dense,
             rates,
         }
@@ -168,48 +165,54 @@ impl<'a> Step<'a> {
 
     /// Sets the error in units of the allowed error: root mean square over the states. That of a constant state is 0.
     pub fn find_error(&self, sink: &mut Sink) {
-        sink.each(&self.order.moving, |sink, k| {
-            let [ratio, result] = std::array::from_fn(|_| sink.local());
-            sink.get(self.body.state(k));
-            sink.set(result);
-            sink.get(self.errors[k]);
-            sink.get(self.tolerance);
-            sink.get(self.to[k]);
-            sink.absolute();
-            sink.get(result);
-            sink.absolute();
-            sink.magnitude();
-            sink.get(self.below_peak);
-            sink.get(self.peaks[k]);
-            sink.multiply();
-            sink.magnitude();
-            sink.get(self.floors[k]);
-            sink.magnitude();
-            sink.multiply();
-            sink.divide();
-            sink.set(ratio);
-            sink.get(ratio);
-            sink.get(ratio);
-            sink.multiply();
-            sink.constant(f64::NAN);
-            // x - x is 0 for finite numbers only.
-            sink.get(result);
-            sink.get(result);
-            sink.subtract();
-            sink.constant(0.0);
-            sink.equal();
-            sink.choose();
-            sink.set(self.ratios[k]);
-        });
+        let sum = sink.local();
         sink.constant(0.0);
-        for k in self.order.moving_in_model() {
-            sink.get(self.ratios[k]);
-            sink.add();
-        }
+        sink.set(sum);
+        sink.each_row(&self.order.moving_rows, |sink, states| {
+            let squares: Vec<Local> = states.iter().map(|&k| self.square(sink, k)).collect();
+            sink.add_in_turn(sum, &squares);
+        });
+        sink.get(sum);
         sink.constant(self.to.len().max(1) as f64);
         sink.divide();
         sink.square_root();
         sink.set(self.found);
+    }
+
+    /// A local variable with the square of the error of state `k` in units of the allowed error.
+    fn square(&self, sink: &mut Sink, k: usize) -> Local {
+        let [ratio, result] = std::array::from_fn(|_| sink.local());
+        sink.get(self.body.state(k));
+        sink.set(result);
+        sink.get(self.errors[k]);
+        sink.get(self.tolerance);
+        sink.get(self.to[k]);
+        sink.absolute();
+        sink.get(result);
+        sink.absolute();
+        sink.magnitude();
+        sink.get(self.below_peak);
+        sink.get(self.peaks[k]);
+        sink.multiply();
+        sink.magnitude();
+        sink.get(self.floors[k]);
+        sink.magnitude();
+        sink.multiply();
+        sink.divide();
+        sink.set(ratio);
+        sink.get(ratio);
+        sink.get(ratio);
+        sink.multiply();
+        sink.constant(f64::NAN);
+        // x - x is 0 for finite numbers only.
+        sink.get(result);
+        sink.get(result);
+        sink.subtract();
+        sink.constant(0.0);
+        sink.equal();
+        sink.choose();
+        sink.set(ratio);
+        ratio
     }
 
     /// Accepts the attempt.

@@ -57,7 +57,8 @@ pub(crate) fn intervals(listing: &Listing, window: &WindowListing, sink: &mut Si
         sink.address(Origin::Row);
         sink.store_at(row + number, value);
     }
-    sink.store_list(&step.order.rows, &step.order.index, (Origin::Row, row + layout.row_states()), &step.present);
+    let states = (row + layout.row_states(), step.present.as_slice());
+    sink.store_lists(&step.order.rows, &step.order.index, Origin::Row, &[states]);
     sink.increase(index);
     sink.next_row(layout.row_len());
     sink.leave_if_all_made();

@@ -101,9 +101,9 @@ impl WindowLayout {
         self.error() + self.states
     }
 
-    /// Number of lists with a number for each state that code may use for itself: the numbers of a record, the rates of all stages, four
-    /// states, lower bounds of magnitudes, and two lists of errors.
-    pub const OWN: usize = 21;
+    /// Number of lists with a number for each state that code may use for itself: the numbers of a record, the rates of all stages but
+    /// one, three states, lower bounds of magnitudes, and errors.
+    pub const OWN: usize = 19;
 
     /// First number of a record: start, size and end of the step, size proposed for the next one, error in units of the
     /// allowed error, number of attempts since the begin of the window.

@@ -37,7 +37,7 @@ pub fn compare_text(text: &str) -> usize {
         })
     };
     let rows = compared(emit::module, 24);
-    compared(emit::module_of_lists, 16);
+    compared(emit::module_of_lists, 8);
     let side_by_side = METHODS.map(|method| {
         let setup = Setup { method, ..Setup::defaults(&checked.model) };
         compare_side_by_side(&checked.model, &setup, 24).unwrap_or_default()

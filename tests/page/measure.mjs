@@ -74,8 +74,12 @@ async function pace({ bytes, steps, systems, rounds, record, shipped }) {
   };
   for (const [name, count] of Object.entries(systems)) {
     const system = new probe.System(name);
+    const emitted = new probe.System(name);
+    emitted.emit();
+    if (system.machine(20).join() !== emitted.machine(20).join()) throw new Error(`${name} has other bits in emitted code`);
     for (let round = 0; round < rounds; round += 1) {
       least(`${name}-machine`, count / 1000, () => system.machine(count));
+      least(`${name}-emitted`, count / 1000, () => emitted.machine(count));
       least(`${name}-hand`, count / 1000, () => system.by_hand(count));
     }
   }

@@ -116,6 +116,7 @@ pub fn emitted() -> Result<()> {
     println!("load: {:.2}", ratios::load().unwrap_or(f64::NAN));
     pace("in WebAssembly", &web, "wasm-");
     emitted_rows(&web);
+    systems("in WebAssembly", &web, [""; 3]);
     fits("in WebAssembly", &web);
     Ok(())
 }
@@ -140,6 +141,7 @@ fn found_ratios(native: &Numbers, web: &Numbers) -> Ratios {
         for system in ["chain", "string", "gas"] {
             let [hand, machine] = ["hand", "machine"].map(|one| format!("{system}-{one}"));
             keep(&format!("{system}, interpreted to the loops by hand"), &hand, &machine);
+            keep(&format!("system {system}, emitted to interpreted"), &machine, &format!("{system}-emitted"));
         }
         keep("fit of an equation of motion, emitted to interpreted", "fit-motion", "fit-motion-emitted");
     }
@@ -236,6 +238,10 @@ fn systems(place: &str, numbers: &Numbers, aims: [&str; 3]) {
             row("steps of it in a second", 1e6 / machine, "", "");
             row("a step of the same loops in Rust", *hand, "us", "");
             row("the ratio of the times", machine / hand, "", ratio);
+            if let Some(emitted) = numbers.get(&format!("{name}-emitted")) {
+                row("a step in emitted code", *emitted, "us", "");
+                row("ratio to the interpreted one", machine / emitted, "times as fast", "at least 3");
+            }
         }
     }
 }

@@ -6,7 +6,8 @@ use crate::sink::{Local, Sink, Values};
 /// assigns everywhere.
 pub(crate) type Where = Option<Local>;
 
-/// Methods that push one instruction for numbers and another one for pairs.
+/// Methods that push one instruction for numbers and another one for pairs. `magnitude` is the maximum of two magnitudes, which are not
+/// negative; of NaN it may be either operand, and processors have an instruction for it.
 macro_rules! operations {
     ($($name:ident: $number:ident $pair:ident)*) => {
         impl Sink<'_> {
@@ -36,6 +37,7 @@ operations! {
     not_equal: f64_ne f64x2_ne
     greater: f64_gt f64x2_gt
     maximum: f64_max f64x2_max
+    magnitude: f64_max f64x2_pmax
     minimum: f64_min f64x2_min
     both: i32_and v128_and
     either: i32_or v128_or

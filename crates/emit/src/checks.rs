@@ -5,8 +5,10 @@ use crate::arithmetic::Where;
 use crate::body::Body;
 use crate::function::Function;
 use crate::sink::{Local, Sink, Values};
+use crate::states::States;
 use crate::step::Step;
 use engine::{CHECKS, WindowListing};
+use std::ops::Range;
 
 /// Formulas of the checks, with local variables for their values.
 pub(crate) struct Checks<'a> {
@@ -29,15 +31,17 @@ pub(crate) struct Checks<'a> {
     /// Compared values at the moments of [`CHECKS`].
     between: [Vec<Local>; 2],
     probe: Vec<Local>,
+    /// States on which compared values depend.
+    probed: Vec<Range<usize>>,
 }
 
 impl<'a> Checks<'a> {
-    pub fn load(window: &'a WindowListing, sink: &mut Sink) -> Self {
+    pub fn load(window: &'a WindowListing, order: &States, sink: &mut Sink) -> Self {
         let layout = window.layout;
         let mut number = 0;
         let [conditions, switches, timed, compared, slopes] = window.formulas.each_ref().map(|formulas| {
             number += 1;
-            Body::of_formulas(formulas, layout.states, layout.formula(number - 1), sink)
+            Body::of_formulas(formulas, &order.index, layout.formula(number - 1), sink)
         });
         let mut list = |place: usize, count: usize| -> Vec<Local> {
             let locals = sink.locals(count);
@@ -51,6 +55,7 @@ impl<'a> Checks<'a> {
         let held = list(layout.held(), layout.switches);
         let low = list(layout.values(), 2 * layout.compared);
         let timed_count = window.formulas[2].roots.len();
+        let probed = order.all_that(|k| compared.reads(k));
         Self {
             conditions,
             switches,
@@ -65,7 +70,8 @@ impl<'a> Checks<'a> {
             times: std::array::from_fn(|_| sink.locals(timed_count)),
             ends: [low, sink.locals(2 * layout.compared)],
             between: std::array::from_fn(|_| sink.locals(layout.compared)),
-            probe: sink.locals(if layout.compared > 0 { layout.states } else { 0 }),
+            probe: sink.list(if layout.compared > 0 { layout.states } else { 0 }),
+            probed,
         }
     }
 
@@ -160,7 +166,7 @@ impl<'a> Checks<'a> {
             sink.multiply();
             sink.add();
             sink.set(moment);
-            step.state_at(sink, moment, &self.probe);
+            step.state_at(sink, moment, &self.probe, &self.probed);
             self.compared.evaluate_at(sink, moment, &self.probe, values);
         }
         let count = low.len() / 2;

@@ -1,5 +1,6 @@
 //! Step control of a single run, with a record of each step.
 
+use crate::rows::Origin;
 use crate::sink::{Local, Sink};
 use crate::step::Step;
 use engine::WindowLayout;
@@ -69,23 +70,19 @@ impl<'a> Recorded<'a> {
         let Self { step, attempts, layout, .. } = self;
         let record = layout.record(0);
         sink.next_record(layout.record_len());
-        for &k in &step.moving {
-            for (degree, list) in step.dense.iter().enumerate() {
-                sink.store_in_record(record + layout.dense(degree) + k, list[k]);
-            }
-            sink.store_in_record(record + layout.to() + k, step.to[k]);
-            sink.store_in_record(record + layout.peaks() + k, step.peaks[k]);
-            sink.store_in_record(record + layout.rates() + k, step.rates[0][k]);
-        }
+        let (rows, index) = (&step.order.moving_rows, &step.order.index);
+        let dense = step.dense.iter().enumerate().map(|(degree, list)| (layout.dense(degree), list));
+        let others = [(layout.to(), &step.to), (layout.peaks(), &step.peaks), (layout.rates(), &step.rates[0])];
+        let lists: Vec<_> = dense.chain(others).map(|(place, list)| (record + place, list.as_slice())).collect();
+        sink.store_lists(rows, index, Origin::Record, &lists);
         for (place, local) in step.clock().into_iter().chain([*attempts]).enumerate() {
-            sink.store_in_record(record + place, local);
+            sink.address(Origin::Record);
+            sink.store_at(record + place, local);
         }
         sink.count();
         sink.instructions().i32_eqz();
         sink.begin_if();
-        for &k in &step.moving {
-            sink.store(layout.error() + k, step.errors[k]);
-        }
+        sink.store_lists(rows, index, Origin::Block, &[(layout.error(), &step.errors)]);
         sink.leave();
         sink.end();
     }

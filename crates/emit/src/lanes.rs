@@ -84,8 +84,8 @@ impl<'a> Pair<'a> {
         let LanesListing { steps, readings, checked, layout } = listing;
         let states = window.layout.states;
         let step = Step::load(steps, window.layout, sink);
-        let checks = checked.then(|| Checks::load(window, sink));
-        let readings = Body::of_formulas(readings, states, layout.readings(), sink);
+        let checks = checked.then(|| Checks::load(window, &step.order, sink));
+        let readings = Body::of_formulas(readings, &step.order.index, layout.readings(), sink);
         let places = [window.layout.spacing(), layout.base(), layout.rejected(), layout.since()];
         let [spacing, base, rejected, since] = places.map(|place| {
             let local = sink.local();

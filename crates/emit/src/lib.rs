@@ -1,5 +1,5 @@
-//! WebAssembly for the steps of a model: whole steps of a method as straight code, without registers in memory and without
-//! dispatch.
+//! WebAssembly for the steps of a model: whole steps of a method without dispatch. Steps of few operations are straight code without
+//! registers in memory; those of more are loops over lists in memory.
 //!
 //! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] or [`engine::WindowLayout`]
 //! describes, and the functions of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of
@@ -11,11 +11,18 @@ mod body;
 mod calls;
 mod checks;
 mod control;
+mod flow;
 mod function;
 mod interpolation;
 mod lanes;
+mod lists;
 mod methods;
+mod operation;
+mod routine;
+mod rows;
+mod runs;
 mod sink;
+mod states;
 mod step;
 mod window;
 
@@ -40,26 +47,48 @@ pub struct Module {
     pub functions: Vec<Function>,
 }
 
-/// Number of operations that are too many for straight code.
+/// Number of operations that are too many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyOperations(pub usize);
 
-/// Maximum number of operations of a step: the evaluations of the right-hand side and the sums of the method.
+/// Maximum number of operations of a step that is straight code: the evaluations of the right-hand side and the sums of the method.
 const MOST_OPERATIONS: usize = 6000;
 
-/// Emits the steps of a listing.
+/// Maximum number of operations and loops of a step with lists in memory, each evaluation of formulas counted once.
+const MOST_LOOPS: usize = 40_000;
+
+/// Emits the steps of a listing. Browsers need SIMD for those of many operations.
 ///
 /// # Errors
 /// The step has too many operations.
 pub fn module(listing: &Listing) -> Result<Module, TooManyOperations> {
-    let operations = methods::operations(listing);
-    if operations > MOST_OPERATIONS {
-        return Err(TooManyOperations(operations));
+    if methods::operations(listing) > MOST_OPERATIONS {
+        return module_of_lists(listing);
     }
+    Ok(steps(listing, None))
+}
+
+/// Emits the steps of a listing as loops over lists in memory, as [`module`] does for many operations.
+///
+/// # Errors
+/// The step has too many operations.
+pub fn module_of_lists(listing: &Listing) -> Result<Module, TooManyOperations> {
+    let loops = methods::loops(listing);
+    if loops > MOST_LOOPS {
+        return Err(TooManyOperations(loops));
+    }
+    let own = listing.window.as_ref().map_or(listing.layout.own(), |window| window.layout.own());
+    Ok(steps(listing, Some(own)))
+}
+
+/// `lists`: first place of the block for lists, which are local variables otherwise.
+fn steps(listing: &Listing, lists: Option<usize>) -> Module {
     let calls = Calls::of(listing, &[]);
-    let mut sink = Sink::new(Values::Numbers, &calls);
+    let mut sink = Sink::new(Values::Numbers, &calls, lists);
     methods::steps(listing, &mut sink);
-    Ok(with_functions(sink.finish(), calls, &listing.interpolations))
+    let routines = std::mem::take(&mut sink.routines);
+    let run = sink.finish();
+    with_functions(&run, &routines, calls, &listing.interpolations)
 }
 
 /// Emits the steps of runs side by side, for [`engine::SideBySide`]. Browsers need SIMD for it. `run` takes the address of the numbers
@@ -74,18 +103,24 @@ pub fn side_by_side(listing: &LanesListing) -> Result<Module, TooManyOperations>
         return Err(TooManyOperations(operations));
     }
     let calls = Calls::of(steps, &readings.lines);
-    let mut sink = Sink::new(Values::Pairs, &calls);
+    let mut sink = Sink::new(Values::Pairs, &calls, None);
     methods::steps_side_by_side(listing, &mut sink);
-    Ok(with_functions(sink.finish(), calls, &steps.interpolations))
+    Ok(with_functions(&sink.finish(), &[], calls, &steps.interpolations))
 }
 
 /// The module of the function `run` with those that it calls.
-fn with_functions(run: wasm_encoder::Function, calls: Calls, interpolations: &[Arc<Interpolation>]) -> Module {
+fn with_functions(
+    run: &wasm_encoder::Function,
+    routines: &[wasm_encoder::Function],
+    calls: Calls,
+    interpolations: &[Arc<Interpolation>],
+) -> Module {
     let (mut types, mut imports) = (TypeSection::new(), ImportSection::new());
     for operands in 1..=Function::MOST_OPERANDS {
         types.ty().function(std::iter::repeat_n(ValType::F64, operands), [ValType::F64]);
     }
     types.ty().function([ValType::I32, ValType::I32], [ValType::I32]);
+    types.ty().function([ValType::I32], []);
     let memory = MemoryType { minimum: 0, maximum: None, memory64: false, shared: false, page_size_log2: None };
     imports.import("block", "memory", memory);
     for (number, function) in calls.imported.iter().enumerate() {
@@ -94,7 +129,7 @@ fn with_functions(run: wasm_encoder::Function, calls: Calls, interpolations: &[A
     let (mut own, mut exports, mut code) = (FunctionSection::new(), ExportSection::new(), CodeSection::new());
     own.function(Function::MOST_OPERANDS as u32);
     exports.export("run", ExportKind::Func, calls.imported.len() as u32);
-    code.function(&run);
+    code.function(run);
     for &function in &calls.own {
         let of = |number: u32| &interpolations[number as usize];
         let body = match function {
@@ -105,6 +140,10 @@ fn with_functions(run: wasm_encoder::Function, calls: Calls, interpolations: &[A
         };
         own.function(function.operands() as u32 - 1);
         code.function(&body);
+    }
+    for routine in routines {
+        own.function(Function::MOST_OPERANDS as u32 + 1);
+        code.function(routine);
     }
     let mut module = wasm_encoder::Module::new();
     module.section(&types).section(&imports).section(&own).section(&exports).section(&code);

@@ -2,10 +2,13 @@
 //! same order.
 
 use crate::body::Body;
+use crate::lists::ranges;
+use crate::rows::Origin;
 use crate::sink::{Local, Sink};
-use crate::{lanes, window};
+use crate::states::States;
+use crate::{lanes, runs, window};
 use engine::tableau::STAGES;
-use engine::{LANES, LanesListing, Listing, Method, WindowListing};
+use engine::{LANES, LanesListing, Listing, Method, WindowLayout, WindowListing};
 
 /// Number of operations of a step, about.
 pub(crate) fn operations(listing: &Listing) -> usize {
@@ -26,6 +29,14 @@ pub(crate) fn operations(listing: &Listing) -> usize {
     stages * listing.lines.len() + sums * moving + stages * (listing.states.len() - moving) + checks
 }
 
+/// Number of operations and loops of the functions for a step with lists in memory, about.
+pub(crate) fn loops(listing: &Listing) -> usize {
+    let formulas = listing.window.iter().flat_map(|window| &window.formulas).map(|formulas| formulas.lines.len());
+    // What is in the order of the model is loaded and stored number by number: states, and what steps with control remember.
+    let lists = if listing.window.is_some() { WindowLayout::OWN } else { 2 };
+    runs::count(&listing.lines) + formulas.sum::<usize>() + lists * listing.states.len()
+}
+
 /// Emits the loop over the steps.
 pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
     if let Some(window) = &listing.window {
@@ -35,9 +46,7 @@ pub(crate) fn steps(listing: &Listing, sink: &mut Sink) {
     let step = Step::load(listing, sink);
     sink.repeat(&step.states, |sink| {
         step.make(sink);
-        for (k, &state) in step.states.iter().enumerate() {
-            sink.store_in_row(layout.row(0) + k, state);
-        }
+        sink.store_lists(&step.order.rows, &step.order.index, Origin::Row, &[(layout.row(0), &step.states)]);
     });
 }
 
@@ -54,7 +63,7 @@ pub(crate) fn steps_side_by_side(listing: &LanesListing, sink: &mut Sink) {
             sink.store(layout.steps.from() + k, state);
         }
         let values = sink.locals(layout.values);
-        let readings = Body::of_formulas(&listing.readings, layout.steps.states, layout.readings(), sink);
+        let readings = Body::of_formulas(&listing.readings, &step.order.index, layout.readings(), sink);
         sink.get(step.first);
         sink.made();
         sink.constant(1.0);
@@ -65,15 +74,17 @@ pub(crate) fn steps_side_by_side(listing: &LanesListing, sink: &mut Sink) {
         sink.set(step.time);
         readings.evaluate_at(sink, step.time, &step.states, &values);
         for (number, &value) in values.iter().enumerate() {
-            sink.store_in_row(layout.row(0) + number, value);
+            sink.address(Origin::Row);
+            sink.store_at(layout.row(0) + number, value);
         }
     });
 }
 
-/// A step: local variables of its start, of its rates, and of the states, which it changes.
+/// A step: its start, its rates, and the states, which it changes.
 struct Step<'a> {
     listing: &'a Listing,
     body: Body<'a>,
+    order: States,
     /// Number of the first step, and distance of the times at which steps begin.
     first: Local,
     spacing: Local,
@@ -82,32 +93,27 @@ struct Step<'a> {
     states: Vec<Local>,
     /// Rates of each stage.
     rates: Vec<Vec<Local>>,
-    /// For each state its rate if that is the constant 0 or -0, which all sums of its rates are then, too.
-    still: &'a [Option<f64>],
 }
 
 impl<'a> Step<'a> {
     /// Loads the states at the start.
     fn load(listing: &'a Listing, sink: &mut Sink) -> Self {
         let layout = listing.layout;
-        let body = Body::of_rates(listing, sink);
+        let order = States::of(listing, sink.in_block());
+        let body = Body::of_rates(listing, &order, sink);
         let [first, spacing, size, time] = std::array::from_fn(|_| sink.local());
         for (local, place) in [(first, layout.first()), (spacing, layout.spacing()), (size, layout.size())] {
             sink.load(place);
             sink.set(local);
         }
-        let states = sink.locals(layout.states);
-        for (k, &state) in states.iter().enumerate() {
-            sink.load(layout.from() + k);
-            sink.set(state);
-        }
+        let states = sink.load_list(&order.rows, &order.index, layout.from());
         let stages = match listing.method {
             Method::Euler => 1,
             Method::EulerRichardson | Method::VelocityVerlet => 2,
             Method::RungeKutta4 | Method::DormandPrince | Method::Rosenbrock => 4,
         };
-        let rates = (0..stages).map(|_| sink.locals(layout.states)).collect();
-        Self { listing, body, first, spacing, time, size, states, rates, still: &listing.still }
+        let rates = (0..stages).map(|_| sink.list(layout.states)).collect();
+        Self { listing, body, order, first, spacing, time, size, states, rates }
     }
 
     /// Makes the step.
@@ -144,11 +150,14 @@ impl<'a> Step<'a> {
         let half = self.scaled_size(sink, 0.5);
         self.evaluate_at_start(sink);
         let [start, end] = [&self.rates[0], &self.rates[1]];
-        for (k, &state) in self.states.iter().enumerate() {
-            sink.get(state);
-            sink.set(self.body.state(k));
-        }
-        for &(position, velocity) in pairs {
+        let places = &self.order.places;
+        let mut velocities = vec![None; places.len()];
+        pairs.iter().for_each(|&(position, velocity)| velocities[places[position]] = Some(places[velocity]));
+        let in_turn = velocities.iter().enumerate();
+        let pairs: Vec<_> = in_turn.filter_map(|(position, velocity)| Some((position, (*velocity)?))).collect();
+        let pairs_in_turn = ranges(pairs.len(), |a, b| (pairs[a].0 + 1, pairs[a].1 + 1) == pairs[b]);
+        sink.each(&pairs_in_turn, |sink, pair| {
+            let (position, velocity) = pairs[pair];
             let (from, to) = (&self.states, |k: usize| self.body.state(k));
             // from[position] + size * (from[velocity] + 0.5 * size * acceleration)
             for local in [from[position], self.size, from[velocity], half, start[velocity]] {
@@ -162,9 +171,10 @@ impl<'a> Step<'a> {
             // from[velocity] + size * acceleration
             multiply_add(sink, from[velocity], self.size, start[velocity]);
             sink.set(to(velocity));
-        }
+        });
         self.evaluate(sink, Some(self.size), 1);
-        for &(position, velocity) in pairs {
+        sink.each(&pairs_in_turn, |sink, pair| {
+            let (position, velocity) = pairs[pair];
             sink.get(self.body.state(position));
             sink.set(self.states[position]);
             // from[velocity] + 0.5 * size * (start[velocity] + end[velocity])
@@ -175,7 +185,7 @@ impl<'a> Step<'a> {
             sink.multiply();
             sink.add();
             sink.set(self.states[velocity]);
-        }
+        });
     }
 
     fn runge_kutta(&self, sink: &mut Sink) {
@@ -190,14 +200,14 @@ impl<'a> Step<'a> {
             self.advance(sink, part, stage - 1);
             self.evaluate(sink, Some(part), stage);
         }
-        for (k, &state) in self.states.iter().enumerate() {
+        sink.each(&self.order.all, |sink, k| {
             // from + sixth * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4)
-            sink.get(state);
-            if let Some(zero) = self.still[k] {
+            sink.get(self.states[k]);
+            if let Some(zero) = self.order.still[k] {
                 sink.constant(zero);
                 sink.add();
-                sink.set(state);
-                continue;
+                sink.set(self.states[k]);
+                return;
             }
             sink.get(sixth);
             sink.get(self.rates[0][k]);
@@ -211,8 +221,8 @@ impl<'a> Step<'a> {
             sink.add();
             sink.multiply();
             sink.add();
-            sink.set(state);
-        }
+            sink.set(self.states[k]);
+        });
     }
 
     /// A local variable with `part * size`.
@@ -227,10 +237,10 @@ impl<'a> Step<'a> {
 
     /// Evaluates the rates of the first stage at the start of the step.
     fn evaluate_at_start(&self, sink: &mut Sink) {
-        for (k, &state) in self.states.iter().enumerate() {
-            sink.get(state);
+        sink.each(&self.order.all, |sink, k| {
+            sink.get(self.states[k]);
             sink.set(self.body.state(k));
-        }
+        });
         self.evaluate(sink, None, 0);
     }
 
@@ -248,24 +258,24 @@ impl<'a> Step<'a> {
     /// Sets the arguments of the right-hand side to states + size * rates of a stage.
     fn advance(&self, sink: &mut Sink, size: Local, stage: usize) {
         // Constant states are set in the first stage.
-        let set = |k: usize| stage == 0 || self.still[k].is_none();
-        for (k, &state) in self.states.iter().enumerate().filter(|(k, _)| set(*k)) {
-            self.moved(sink, state, size, (stage, k));
+        let set = if stage == 0 { &self.order.all } else { &self.order.moving };
+        sink.each(set, |sink, k| {
+            self.moved(sink, self.states[k], size, (stage, k));
             sink.set(self.body.state(k));
-        }
+        });
     }
 
     /// Sets the states to states + size * rates of a stage.
     fn finish(&self, sink: &mut Sink, size: Local, stage: usize) {
-        for (k, &state) in self.states.iter().enumerate() {
-            self.moved(sink, state, size, (stage, k));
-            sink.set(state);
-        }
+        sink.each(&self.order.all, |sink, k| {
+            self.moved(sink, self.states[k], size, (stage, k));
+            sink.set(self.states[k]);
+        });
     }
 
     /// Pushes state + size * rate of state `k` at a stage.
     fn moved(&self, sink: &mut Sink, state: Local, size: Local, (stage, k): (usize, usize)) {
-        if let Some(zero) = self.still[k] {
+        if let Some(zero) = self.order.still[k] {
             sink.get(state);
             sink.constant(zero);
             sink.add();

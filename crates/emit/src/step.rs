@@ -5,13 +5,15 @@ use crate::arithmetic::Where;
 use crate::body::Body;
 use crate::function::Function;
 use crate::sink::{Local, Sink, Values};
+use crate::states::States;
 use engine::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
 use engine::{Listing, WindowLayout};
+use std::ops::Range;
 
-/// The steps: local variables of the last one, of the state, and of the attempt that is made.
+/// The steps: the last one, the state, and the attempt that is made.
 pub(crate) struct Step<'a> {
     body: Body<'a>,
-    pub moving: Vec<usize>,
+    pub order: States,
     /// Time reached, and the state there.
     pub time: Local,
     pub present: Vec<Local>,
@@ -44,29 +46,29 @@ pub(crate) struct Step<'a> {
 impl<'a> Step<'a> {
     pub fn load(listing: &'a Listing, layout: WindowLayout, sink: &mut Sink) -> Self {
         let (record, states) = (layout.record(0), layout.states);
-        let moving: Vec<usize> = (0..states).filter(|&k| listing.still[k].is_none()).collect();
-        let body = Body::of_rates(listing, sink);
+        let order = States::of(listing, sink.in_block());
+        let body = Body::of_rates(listing, &order, sink);
+        let mut list = |first: usize| sink.load_list(&order.rows, &order.index, first);
+        let (present, floors) = (list(layout.present()), list(layout.floors()));
+        let (to, peaks) = (list(record + layout.to()), list(record + layout.peaks()));
+        let first = list(record + layout.rates());
+        let dense = std::array::from_fn(|degree| list(record + layout.dense(degree)));
         let mut load = |place: usize| {
             let local = sink.local();
             sink.load(place);
             sink.set(local);
             local
         };
-        let mut list = |place: usize| -> Vec<Local> { (0..states).map(|k| load(place + k)).collect() };
-        let (present, floors) = (list(layout.present()), list(layout.floors()));
-        let (to, peaks) = (list(record + layout.to()), list(record + layout.peaks()));
-        let first = list(record + layout.rates());
-        let dense = std::array::from_fn(|degree| list(record + layout.dense(degree)));
         let [start, size, end, proposed, error] = std::array::from_fn(|place| load(record + place));
         let [time, longest, tolerance, below_peak] =
             [layout.time(), layout.longest(), layout.tolerance(), layout.below_peak()].map(load);
         let mut rates = vec![first];
-        rates.extend((1..STAGES).map(|_| sink.locals(states)));
-        let errors = sink.locals(states);
+        rates.extend((1..STAGES).map(|_| sink.list(states)));
+        let errors = sink.list(states);
         let [found, growth] = std::array::from_fn(|_| sink.local());
         Self {
             body,
-            moving,
+            order,
             time,
             present,
             start,
@@ -129,22 +131,22 @@ impl<'a> Step<'a> {
 
     /// One attempt: the result in the arguments of the right-hand side, and its error.
     pub fn attempt(&self, sink: &mut Sink) {
-        for (k, &to) in self.to.iter().enumerate() {
+        sink.each(&self.order.all, |sink, k| {
             // The sum of rates of a constant state is 0.
-            sink.get(to);
+            sink.get(self.to[k]);
             sink.constant(0.0);
             sink.add();
             sink.set(self.body.state(k));
-        }
+        });
         for stage in 1..STAGES {
-            for &k in &self.moving {
+            sink.each(&self.order.moving, |sink, k| {
                 sink.get(self.to[k]);
                 sink.get(self.size);
                 self.weighted(sink, STAGE_WEIGHTS[stage], k);
                 sink.multiply();
                 sink.add();
                 sink.set(self.body.state(k));
-            }
+            });
             sink.get(self.end);
             sink.constant(NODES[stage]);
             sink.get(self.size);
@@ -153,59 +155,68 @@ impl<'a> Step<'a> {
             sink.set(self.body.time());
             self.body.evaluate(sink, &self.rates[stage]);
         }
-        for &k in &self.moving {
+        sink.each(&self.order.moving, |sink, k| {
             self.weighted(sink, &ERROR_WEIGHTS, k);
             sink.get(self.size);
             sink.multiply();
             sink.set(self.errors[k]);
-        }
+        });
     }
 
     /// Sets the error in units of the allowed error: root mean square over the states. That of a constant state is 0.
     pub fn find_error(&self, sink: &mut Sink) {
-        let [ratio, result] = std::array::from_fn(|_| sink.local());
+        let sum = sink.local();
         sink.constant(0.0);
-        for &k in &self.moving {
-            sink.get(self.body.state(k));
-            sink.set(result);
-            sink.get(self.errors[k]);
-            sink.get(self.tolerance);
-            sink.get(self.to[k]);
-            sink.absolute();
-            sink.get(result);
-            sink.absolute();
-            sink.maximum();
-            sink.get(self.below_peak);
-            sink.get(self.peaks[k]);
-            sink.multiply();
-            sink.maximum();
-            sink.get(self.floors[k]);
-            sink.maximum();
-            sink.multiply();
-            sink.divide();
-            sink.set(ratio);
-            sink.get(ratio);
-            sink.get(ratio);
-            sink.multiply();
-            sink.constant(f64::NAN);
-            // x - x is 0 for finite numbers only.
-            sink.get(result);
-            sink.get(result);
-            sink.subtract();
-            sink.constant(0.0);
-            sink.equal();
-            sink.choose();
-            sink.add();
-        }
+        sink.set(sum);
+        sink.each_row(&self.order.moving_rows, |sink, states| {
+            let squares: Vec<Local> = states.iter().map(|&k| self.square(sink, k)).collect();
+            sink.add_in_turn(sum, &squares);
+        });
+        sink.get(sum);
         sink.constant(self.to.len().max(1) as f64);
         sink.divide();
         sink.square_root();
         sink.set(self.found);
     }
 
+    /// A local variable with the square of the error of state `k` in units of the allowed error.
+    fn square(&self, sink: &mut Sink, k: usize) -> Local {
+        let [ratio, result] = std::array::from_fn(|_| sink.local());
+        sink.get(self.body.state(k));
+        sink.set(result);
+        sink.get(self.errors[k]);
+        sink.get(self.tolerance);
+        sink.get(self.to[k]);
+        sink.absolute();
+        sink.get(result);
+        sink.absolute();
+        sink.magnitude();
+        sink.get(self.below_peak);
+        sink.get(self.peaks[k]);
+        sink.multiply();
+        sink.magnitude();
+        sink.get(self.floors[k]);
+        sink.magnitude();
+        sink.multiply();
+        sink.divide();
+        sink.set(ratio);
+        sink.get(ratio);
+        sink.get(ratio);
+        sink.multiply();
+        sink.constant(f64::NAN);
+        // x - x is 0 for finite numbers only.
+        sink.get(result);
+        sink.get(result);
+        sink.subtract();
+        sink.constant(0.0);
+        sink.equal();
+        sink.choose();
+        sink.set(ratio);
+        ratio
+    }
+
     /// Accepts the attempt.
     pub fn accept(&self, sink: &mut Sink, condition: Where) {
-        let [change, bend] = std::array::from_fn(|_| sink.local());
         sink.get(self.end);
         sink.assign(self.start, condition);
         sink.get(self.start);
@@ -220,13 +231,14 @@ impl<'a> Step<'a> {
         sink.constant(1e-4);
         sink.maximum();
         sink.assign(self.error, condition);
-        for (k, &to) in self.to.iter().enumerate() {
-            sink.get(to);
+        sink.each(&self.order.all, |sink, k| {
+            sink.get(self.to[k]);
             sink.assign(self.dense[0][k], condition);
             sink.get(self.body.state(k));
-            sink.assign(to, condition);
-        }
-        for &k in &self.moving {
+            sink.assign(self.to[k], condition);
+        });
+        sink.each(&self.order.moving, |sink, k| {
+            let [change, bend] = std::array::from_fn(|_| sink.local());
             let [from, c_1, c_2, c_3, c_4] = self.dense.each_ref().map(|list| list[k]);
             let [first, last] = [self.rates[0][k], self.rates[STAGES - 1][k]];
             sink.get(self.to[k]);
@@ -261,9 +273,9 @@ impl<'a> Step<'a> {
             sink.get(self.peaks[k]);
             sink.get(self.to[k]);
             sink.absolute();
-            sink.maximum();
+            sink.magnitude();
             sink.assign(self.peaks[k], condition);
-        }
+        });
     }
 
     /// Numbers of the last step, in the order of a record.
@@ -290,10 +302,10 @@ impl<'a> Step<'a> {
             sink.equal();
         };
         let at_end = |sink: &mut Sink, condition: Where| {
-            for (&to, &state) in self.to.iter().zip(state) {
-                sink.get(to);
-                sink.assign(state, condition);
-            }
+            sink.each(&self.order.all, |sink, k| {
+                sink.get(self.to[k]);
+                sink.assign(state[k], condition);
+            });
         };
         match sink.values() {
             Values::Numbers => {
@@ -301,11 +313,11 @@ impl<'a> Step<'a> {
                 sink.begin_if();
                 at_end(sink, None);
                 sink.otherwise();
-                self.state_at(sink, time, state);
+                self.state_at(sink, time, state, &self.order.all);
                 sink.end();
             }
             Values::Pairs => {
-                self.state_at(sink, time, state);
+                self.state_at(sink, time, state, &self.order.all);
                 let condition = sink.local();
                 is_at_end(sink);
                 sink.set(condition);
@@ -314,8 +326,8 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Sets `state` to the continuous solution at `time`.
-    pub fn state_at(&self, sink: &mut Sink, time: Local, state: &[Local]) {
+    /// Sets `state` to the continuous solution at `time`, in these ranges.
+    pub fn state_at(&self, sink: &mut Sink, time: Local, state: &[Local], ranges: &[Range<usize>]) {
         let [part, rest] = std::array::from_fn(|_| sink.local());
         sink.get(time);
         sink.get(self.start);
@@ -327,15 +339,15 @@ impl<'a> Step<'a> {
         sink.get(part);
         sink.subtract();
         sink.set(rest);
-        for (k, &state) in state.iter().enumerate() {
+        sink.each(ranges, |sink, k| {
             let [c_0, c_1, c_2, c_3, c_4] = self.dense.each_ref().map(|list| list[k]);
-            if self.moving.binary_search(&k).is_err() {
+            if self.order.still[k].is_some() {
                 // All other coefficients of a constant state are 0.
                 sink.get(c_0);
                 sink.constant(0.0);
                 sink.add();
-                sink.set(state);
-                continue;
+                sink.set(state[k]);
+                return;
             }
             // c_0 + part * (c_1 + rest * (c_2 + part * (c_3 + rest * c_4)))
             for (coefficient, factor) in [(c_0, part), (c_1, rest), (c_2, part), (c_3, rest)] {
@@ -347,7 +359,7 @@ impl<'a> Step<'a> {
                 sink.multiply();
                 sink.add();
             }
-            sink.set(state);
-        }
+            sink.set(state[k]);
+        });
     }
 }

@@ -4,6 +4,7 @@
 
 use crate::checks::Checks;
 use crate::control::Recorded;
+use crate::rows::Origin;
 use crate::sink::Sink;
 use crate::step::Step;
 use engine::{Listing, WindowListing};
@@ -13,41 +14,51 @@ pub(crate) fn intervals(listing: &Listing, window: &WindowListing, sink: &mut Si
     let layout = window.layout;
     let recorded = Recorded::new(Step::load(listing, layout, sink), layout, sink);
     let (step, steps) = (&recorded.step, recorded.steps);
-    let checks = Checks::load(window, sink);
+    let checks = Checks::load(window, &step.order, sink);
     let [index, spacing, target, until, intervals] = std::array::from_fn(|_| sink.local());
     for (local, place) in [(index, layout.index()), (spacing, layout.spacing())] {
         sink.load(place);
         sink.set(local);
     }
-    let next = sink.locals(layout.states);
+    let next = sink.list(layout.states);
     sink.begin_loop();
-    sink.instructions().local_get(step.end).local_get(step.time).f64_le();
+    sink.get(step.end);
+    sink.get(step.time);
+    sink.less_or_equal();
     sink.begin_if();
     recorded.make(sink);
     sink.end();
-    sink.instructions().local_get(index).f64_const(1.0.into()).f64_add().local_get(spacing).f64_mul().local_set(target);
-    sink.instructions().local_get(target).local_get(step.end).f64_min().local_set(until);
+    sink.get(index);
+    sink.constant(1.0);
+    sink.add();
+    sink.get(spacing);
+    sink.multiply();
+    sink.set(target);
+    sink.get(target);
+    sink.get(step.end);
+    sink.minimum();
+    sink.set(until);
     step.state_at_end_or(sink, until, &next);
     checks.check(sink, step, until, &next);
     checks.pass(sink, None);
-    for (&present, &next) in step.present.iter().zip(&next) {
-        sink.get(next);
-        sink.set(present);
-    }
+    sink.each(&step.order.all, |sink, k| {
+        sink.get(next[k]);
+        sink.set(step.present[k]);
+    });
     sink.get(until);
     sink.set(step.time);
     sink.increase(intervals);
-    sink.instructions().local_get(until).local_get(target).f64_eq();
+    sink.get(until);
+    sink.get(target);
+    sink.equal();
     sink.begin_if();
     let row = layout.row(0);
-    sink.store_in_row(row, steps);
-    sink.store_in_row(row + 1, intervals);
-    for (number, &value) in checks.values().iter().enumerate() {
-        sink.store_in_row(row + 2 + number, value);
+    for (number, &value) in [steps, intervals].iter().chain(checks.values()).enumerate() {
+        sink.address(Origin::Row);
+        sink.store_at(row + number, value);
     }
-    for (k, &state) in step.present.iter().enumerate() {
-        sink.store_in_row(row + layout.row_states() + k, state);
-    }
+    let states = (row + layout.row_states(), step.present.as_slice());
+    sink.store_lists(&step.order.rows, &step.order.index, Origin::Row, &[states]);
     sink.increase(index);
     sink.next_row(layout.row_len());
     sink.leave_if_all_made();

@@ -62,7 +62,17 @@ impl System {
         Ok(Self { stepper, forces, step: setup.step, positions })
     }
 
-    /// Computes `steps` steps from the start in the virtual machine. Returns all positions, SI.
+    /// Makes the steps of [`System::machine`] in emitted code from now on; in WebAssembly only.
+    ///
+    /// # Errors
+    /// The reason why they are interpreted.
+    pub fn emit(&mut self) -> Result<(), String> {
+        let code = host::compile(self.stepper.listing()).map_err(|reason| format!("{reason:?}"))?;
+        self.stepper.use_compiled(code);
+        Ok(())
+    }
+
+    /// Computes `steps` steps from the start in the virtual machine, or in emitted code. Returns all positions, SI.
     ///
     /// # Errors
     /// A state is not finite.

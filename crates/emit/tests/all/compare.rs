@@ -1,6 +1,7 @@
 //! Comparison of an emitted run with an interpreted one.
 
 use crate::host::Instance;
+use emit::{Module, TooManyOperations};
 use engine::{
     Compiled, LanesListing, Listing, Method, Progress, ROUNDING, Readings, Run, Setup, Stepper, side_by_side,
 };
@@ -26,11 +27,17 @@ const METHODS: [Method; 5] =
 /// difference. A text with errors, as constants that are not finite, has no rows.
 pub fn compare_text(text: &str) -> usize {
     let Some(checked) = model::compile(text, std::slice::from_ref(&(0..text.len()))).0 else { return 0 };
-    let rows =
-        METHODS.map(|method| match compare(&checked.model, Setup { method, ..Setup::defaults(&checked.model) }, 24) {
-            Compared::Rows(rows) => rows,
-            Compared::Interpreted(reason) => panic!("{reason}\n{text}"),
-        });
+    let compared = |emit, rows| {
+        METHODS.map(|method| {
+            let setup = Setup { method, ..Setup::defaults(&checked.model) };
+            match compare(&checked.model, setup, emit, rows) {
+                Compared::Rows(rows) => rows,
+                Compared::Interpreted(reason) => panic!("{reason}\n{text}"),
+            }
+        })
+    };
+    let rows = compared(emit::module, 24);
+    compared(emit::module_of_lists, 8);
     let side_by_side = METHODS.map(|method| {
         let setup = Setup { method, ..Setup::defaults(&checked.model) };
         compare_side_by_side(&checked.model, &setup, 24).unwrap_or_default()
@@ -129,16 +136,19 @@ fn bits(numbers: &[f64]) -> Vec<u64> {
     numbers.iter().map(|number| if number.is_nan() { f64::NAN } else { *number }.to_bits()).collect()
 }
 
+/// Emits a module.
+pub type Emit = fn(&Listing) -> Result<Module, TooManyOperations>;
+
 /// Compares `rows` advances, of a row each or less; a parameter changes in the middle, and later the runs go back. Panics at
 /// the first difference.
-pub fn compare(model: &Model, setup: Setup, rows: usize) -> Compared {
+pub fn compare(model: &Model, setup: Setup, emit: Emit, rows: usize) -> Compared {
     let Ok(mut interpreted) = Run::start(model, setup) else { return Compared::Rows(0) };
     let mut emitted = interpreted.clone();
     let listing = match emitted.listing() {
         Ok(listing) => listing,
         Err(reason) => return Compared::Interpreted(format!("{reason:?}")),
     };
-    let module = match emit::module(&listing) {
+    let module = match emit(&listing) {
         Ok(module) => module,
         Err(reason) => return Compared::Interpreted(format!("{reason:?}")),
     };

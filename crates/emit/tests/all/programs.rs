@@ -43,6 +43,15 @@ smooth table curve(x) { -3 -2  -1 -0.4  0 0.1  1 0.4  3 2 }
         2 => text += "when s > 0.35 { x' = x' + p }\n",
         _ => {}
     }
+    if bytes.next(3) == 0 {
+        let (count, force) = (9 + bytes.next(8), bytes.expression(2));
+        text += &format!("size N = {count}\nu[0] = 0\nu[N+1] = 0\n");
+        text += &format!("u[i]'' = p*(u[i-1] - 2*u[i] + u[i+1]) - 0.3*u[i]' + 0.1*sin({force} + u[i])");
+        if bytes.next(2) == 0 {
+            text += " + sum(0.1*tanh(u[j] - u[i]) for j in i+1..N)";
+        }
+        text += " for i in 1..N\nu[i](0) = 0.1*i for i in 1..N\nu[i]'(0) = 0 for i in 1..N\n";
+    }
     text
 }
 

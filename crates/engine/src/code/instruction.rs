@@ -71,6 +71,15 @@ pub enum Operation {
 }
 
 impl Operation {
+    /// Number of operands, 1 to 3.
+    pub fn operands(self) -> usize {
+        match self {
+            Self::Negate | Self::Unary(_) | Self::Piece(_) => 1,
+            Self::Add | Self::Subtract | Self::Multiply | Self::Divide | Self::Binary(_) | Self::Interpolated(_) => 2,
+            Self::MultiplyAdd | Self::MultiplySubtract | Self::SubtractProduct | Self::Select | Self::Binomial => 3,
+        }
+    }
+
     /// The instruction with this target and these operands; surplus operands are ignored.
     pub(crate) fn instruction(self, to: Register, [a, b, c]: [Register; 3]) -> Instruction {
         match self {

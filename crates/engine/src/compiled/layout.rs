@@ -39,8 +39,16 @@ impl Layout {
         self.from() + (1 + k) * self.states
     }
 
+    /// First of the numbers that code may use for itself, [`Layout::OWN`] for each state.
+    pub const fn own(self) -> usize {
+        self.row(self.rows)
+    }
+
+    /// Number of lists with a number for each state that code may use for itself: states, and rates of each stage.
+    pub const OWN: usize = 5;
+
     /// Length of the block.
     pub(super) fn len(self) -> usize {
-        self.row(self.rows)
+        self.own() + Self::OWN * self.states
     }
 }

@@ -96,10 +96,19 @@ impl WindowLayout {
         self.formula(self.formulas.len())
     }
 
+    /// First of the numbers that code may use for itself, [`WindowLayout::OWN`] for each state.
+    pub fn own(self) -> usize {
+        self.error() + self.states
+    }
+
+    /// Number of lists with a number for each state that code may use for itself: the numbers of a record, the rates of all stages but
+    /// one, three states, lower bounds of magnitudes, and errors.
+    pub const OWN: usize = 19;
+
     /// First number of a record: start, size and end of the step, size proposed for the next one, error in units of the
     /// allowed error, number of attempts since the begin of the window.
     pub fn record(self, number: usize) -> usize {
-        self.error() + self.states + number * self.record_len()
+        self.own() + Self::OWN * self.states + number * self.record_len()
     }
 
     /// First state at the end of the step, counted from the record.

@@ -11,6 +11,8 @@ use std::sync::Arc;
 const ROWS: usize = 64;
 /// Numbers in the records of a window, about.
 const NUMBERS: usize = 4096;
+/// Minimum number of steps of a window, among which the work at its begin is divided.
+const LEAST_STEPS: usize = 24;
 
 impl Surfaces {
     /// Conditions that compiled code checks, in the order of [`WindowListing::formulas`]; `None` for one that does not exist.
@@ -49,7 +51,7 @@ impl Surfaces {
         });
         let checks = self.timetable.even().is_some() && listed.iter().all(Option::is_some);
         let formulas = if checks { listed.map(Option::unwrap_or_default) } else { Default::default() };
-        let steps = (NUMBERS / (8 * states).max(1)).clamp(8, 32);
+        let steps = (NUMBERS / (8 * states).max(1)).clamp(LEAST_STEPS, 32);
         let layout = WindowLayout {
             registers,
             states,

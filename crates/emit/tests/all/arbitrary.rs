@@ -4,7 +4,7 @@ use crate::compare::compare_text;
 use crate::programs;
 
 /// Number of programs of each test; one alone would keep one processor busy. `cargo run -p emit --example fuzz` compares more of them.
-const PROGRAMS: u64 = 40;
+const PROGRAMS: u64 = 18;
 
 #[test]
 fn arbitrary_programs_have_the_same_bits_in_emitted_code() {

@@ -117,8 +117,11 @@ fn settle(points: &mut [Point], (unsure, likely): (&[bool], &[bool]), motion: &M
     let is_led = |at: usize| motion.through(at, |one| certain[one]).is_some_and(|off| off <= limits[at]);
     let settled: Vec<bool> =
         (0..points.len()).map(|at| certain[at] || unsure[at] && !points[at].doubtful && is_led(at)).collect();
-    // Patterns of the background that resemble the body lie on no smooth curve with it and with one another.
-    let likely: Vec<bool> = (0..points.len()).map(|at| settled[at] || likely[at] && !points[at].doubtful).collect();
+    // Patterns of the background that resemble the body lie on no smooth curve with it and with one another. A track that is certain in few frames
+    // may follow something else that does.
+    let is_certain = 2 * settled.iter().filter(|settled| **settled).count() > points.len();
+    let likely: Vec<bool> =
+        (0..points.len()).map(|at| settled[at] || is_certain && likely[at] && !points[at].doubtful).collect();
     for (at, point) in points.iter_mut().enumerate().filter(|(at, _)| !settled[*at]) {
         let curves = || [motion.through(at, |one| likely[one]), motion.closely(at, |one| likely[one])];
         let is_near = likely[at] && curves().into_iter().flatten().any(|off| off <= SMOOTH * limits[at]);

@@ -10,7 +10,7 @@ use crate::tracking::column::together::{Explained, Together};
 use units::order::{sort_by, sort_numbers};
 
 /// Maximum range of the middle 90 % of the positions in rows. Wider motions determine their amplitude in the iteration.
-const WIDEST: f64 = 16.0;
+pub(crate) const WIDEST: f64 = 16.0;
 /// Multiples of the first trials.
 const COARSE: [f64; 3] = [0.85, 1.0, 1.15];
 /// Number of further trials, each at the vertex of the parabola through the best one and its neighbours.

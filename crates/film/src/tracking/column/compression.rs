@@ -4,6 +4,7 @@
 //! frequency of the motion: differences of the track do not show it, and the residual of a sinusoid is about a third of
 //! it.
 
+use crate::tracking::column::amplitude::WIDEST;
 use crate::tracking::column::strip::Strip;
 use crate::tracking::median::median;
 use crate::tracking::readout;
@@ -28,7 +29,8 @@ const FAST: f64 = 10.0;
 /// Standard error in px by the lag of a compressed film; 0 if the film shows no suppressed changes. `times` in s,
 /// `along` in rows, `read`: readout position of each point, relative to the height of the frame.
 pub(crate) fn lag(strips: &[Strip], times: &[f64], along: &[f64], read: &[f64]) -> f64 {
-    if !suppresses(strips) {
+    let [least, greatest] = [f64::min, f64::max].map(|end| along.iter().copied().reduce(end).unwrap_or(0.0));
+    if !suppresses(strips, greatest - least < WIDEST) {
         return 0.0;
     }
     let Some(missed) = readout::residual(times, along, read) else { return 0.0 };
@@ -46,8 +48,9 @@ pub(crate) fn lag(strips: &[Strip], times: &[f64], along: &[f64], read: &[f64]) 
     missed * (1.0 + (PLAY - 1.0) / (1.0 + speed))
 }
 
-/// True if compression suppresses small changes of the picture: many values stay equal, or noise lasts longer than a frame.
-fn suppresses(strips: &[Strip]) -> bool {
+/// True if compression suppresses small changes of the picture: many values stay equal, or noise lasts longer than a frame. The second is
+/// looked for in films of small motions only: a wide one changes the picture more over two frames than over one.
+fn suppresses(strips: &[Strip], is_small: bool) -> bool {
     let changes = |one: &Strip, other: &Strip| -> Vec<u16> {
         let stride = (one.grey.len() / COMPARED).max(1);
         one.grey.iter().zip(&other.grey).step_by(stride).map(|(one, other)| one.abs_diff(*other)).collect()
@@ -60,7 +63,7 @@ fn suppresses(strips: &[Strip]) -> bool {
         twice.push(middle(changes(&part[0], &part[2])));
     }
     let (once, twice) = (median(once), median(twice));
-    median(kept) >= KEPT || once * once < LASTING * twice * twice
+    median(kept) >= KEPT || is_small && once * once < LASTING * twice * twice
 }
 
 /// Median of some changes.

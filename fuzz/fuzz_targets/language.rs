@@ -33,11 +33,14 @@ fn places_lie_in(source: &str, diagnostics: &[Diagnostic]) {
     }
 }
 
+/// Number of floating-point operations for which a run is continued at most in a row.
+const WORK: u64 = 1_000_000;
+
 /// A few steps, and their table; refusals and ends are values.
 fn run(model: &Model, method: Method) {
     let Ok(mut run) = Run::start(model, Setup { method, ..Setup::defaults(model) }) else { return };
     for _ in 0..4 {
-        if run.advance().is_err() {
+        if run.advance_within(WORK).is_err() {
             break;
         }
     }

@@ -1,8 +1,8 @@
 //! Formulas, with their registers in local variables or in the block.
 
-use crate::lists::ranges;
 use crate::operation::operation;
 use crate::routine;
+use crate::sink::lists::ranges;
 use crate::sink::{Local, Sink};
 use crate::states::States;
 use engine::{Formulas, Line, Listing, Register};
@@ -65,11 +65,9 @@ impl<'a> Body<'a> {
         let mut body = Self { lines, states, read: read_states, roots, rows, registers: Vec::new(), routines: None };
         if in_block {
             let read: Vec<Register> = body.roots.iter().map(|root| root.1).collect();
-            let functions = routine::functions(lines, &read, first, sink.calls);
-            let before = sink.routines.len();
-            sink.routines.extend(functions);
+            let functions = routine::functions(lines, &read, first, sink.calls());
             body.registers = (first..first + count).map(Local::Place).collect();
-            body.routines = Some(before..sink.routines.len());
+            body.routines = Some(sink.add_routines(functions));
             return body;
         }
         let mut given = vec![true; count];

@@ -1,6 +1,6 @@
 //! Step control of a single run, with a record of each step.
 
-use crate::rows::Origin;
+use crate::sink::rows::Origin;
 use crate::sink::{Local, Sink};
 use crate::step::Step;
 use engine::WindowLayout;

@@ -11,15 +11,12 @@ mod body;
 mod calls;
 mod checks;
 mod control;
-mod flow;
 mod function;
 mod interpolation;
 mod lanes;
-mod lists;
 mod methods;
 mod operation;
 mod routine;
-mod rows;
 mod runs;
 mod sink;
 mod states;
@@ -86,7 +83,7 @@ fn steps(listing: &Listing, lists: Option<usize>) -> Module {
     let calls = Calls::of(listing, &[]);
     let mut sink = Sink::new(Values::Numbers, &calls, lists);
     methods::steps(listing, &mut sink);
-    let routines = std::mem::take(&mut sink.routines);
+    let routines = sink.take_routines();
     let run = sink.finish();
     with_functions(&run, &routines, calls, &listing.interpolations)
 }

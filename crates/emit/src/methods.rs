@@ -2,8 +2,8 @@
 //! same order.
 
 use crate::body::Body;
-use crate::lists::ranges;
-use crate::rows::Origin;
+use crate::sink::lists::ranges;
+use crate::sink::rows::Origin;
 use crate::sink::{Local, Sink};
 use crate::states::States;
 use crate::{lanes, runs, window};
@@ -32,7 +32,7 @@ pub(crate) fn operations(listing: &Listing) -> usize {
 /// Number of operations and loops of the functions for a step with lists in memory, about.
 pub(crate) fn loops(listing: &Listing) -> usize {
     let formulas = listing.window.iter().flat_map(|window| &window.formulas).map(|formulas| formulas.lines.len());
-    // What is in the order of the model is loaded and stored number by number: states, and what steps with control remember.
+    // Lists in the order of the model are loaded and stored number by number: states, and the records of steps with control.
     let lists = if listing.window.is_some() { WindowLayout::OWN } else { 2 };
     runs::count(&listing.lines) + formulas.sum::<usize>() + lists * listing.states.len()
 }

@@ -3,9 +3,9 @@
 //! read, and not kept in the block.
 
 use crate::calls::Calls;
-use crate::lists::{LEAST, ranges};
 use crate::operation::operation;
 use crate::runs::{Run, Runs};
+use crate::sink::lists::{LEAST, ranges};
 use crate::sink::{Local, Sink, Values};
 use engine::{Line, Register};
 use wasm_encoder::Function;

@@ -1,6 +1,6 @@
 //! Runs of equal operations whose registers are consecutive.
 
-use crate::lists::LEAST;
+use crate::sink::lists::LEAST;
 use engine::{Line, Operation, Register};
 
 /// Equal operations for consecutive targets, or a single one.

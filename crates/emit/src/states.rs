@@ -1,7 +1,7 @@
 //! States in the order in which code computes them.
 
-use crate::lists::ranges;
-use crate::rows::{Row, rows};
+use crate::sink::lists::ranges;
+use crate::sink::rows::{Row, rows};
 use engine::{Listing, Register};
 use std::ops::Range;
 

@@ -4,8 +4,8 @@
 
 use crate::checks::Checks;
 use crate::control::Recorded;
-use crate::rows::Origin;
 use crate::sink::Sink;
+use crate::sink::rows::Origin;
 use crate::step::Step;
 use engine::{Listing, WindowListing};
 

@@ -1,6 +1,6 @@
 //! Blocks, loops and conditions, and what loops over steps, rows and runs count.
 
-use crate::sink::{BLOCK, COUNT, FINITE, Label, Local, MADE, PAIR, PAUSED, RECORD, ROW, Sink, Values};
+use super::{BLOCK, COUNT, FINITE, Label, Local, MADE, PAIR, PAUSED, RECORD, ROW, Sink, Values};
 use wasm_encoder::{BlockType, MemArg};
 
 /// Block around the loop of [`Sink::begin_loop`].

@@ -2,7 +2,7 @@
 //! instructions for each element. Code with many keeps them in the block, and loops do two elements at a time in SIMD registers, which
 //! changes no bits.
 
-use crate::sink::{BLOCK, ELEMENT, Local, Sink, Values};
+use super::{BLOCK, ELEMENT, Local, Sink, Values};
 use std::ops::Range;
 
 /// Minimum number of elements for a loop.

@@ -1,7 +1,12 @@
 //! Instructions of the function `run` in the making.
 
+mod flow;
+pub(crate) mod lists;
+pub(crate) mod rows;
+
 use crate::calls::Calls;
 use crate::function::Function;
+use std::ops::Range;
 use wasm_encoder::{InstructionSink, MemArg, ValType};
 
 /// Where a value is kept: a floating-point number, or a pair of numbers.
@@ -50,24 +55,24 @@ pub(crate) type Label = u32;
 /// that compute push one value and pop their operands.
 #[derive(Debug)]
 pub(crate) struct Sink<'a> {
-    pub values: Values,
+    values: Values,
     code: Vec<u8>,
     /// Types of the local variables from [`FIRST_LOCAL`] on.
     types: Vec<ValType>,
     /// Number of those that are in use.
-    pub used: usize,
-    pub calls: &'a Calls,
-    pub depth: Label,
+    used: usize,
+    calls: &'a Calls,
+    depth: Label,
     /// Size of a place of the block in bytes.
-    pub size: usize,
+    size: usize,
     /// Place of the next list in the block; `None` if lists are local variables.
-    pub lists: Option<usize>,
+    lists: Option<usize>,
     /// Variable with the address from which the places of [`Local::Place`] are counted.
-    pub base: u32,
+    base: u32,
     /// Constants of pairs, with the local variables that have their values from the begin of the function on.
     constants: Vec<(f64, Local)>,
     /// Functions without result that [`Sink::call_routines`] calls, with the address of the block.
-    pub routines: Vec<wasm_encoder::Function>,
+    routines: Vec<wasm_encoder::Function>,
 }
 
 impl<'a> Sink<'a> {
@@ -84,6 +89,23 @@ impl<'a> Sink<'a> {
     /// Kind of its values.
     pub fn values(&self) -> Values {
         self.values
+    }
+
+    /// Functions that it may call.
+    pub fn calls(&self) -> &'a Calls {
+        self.calls
+    }
+
+    /// Adds functions without result, and returns their numbers for [`Sink::call_routines`].
+    pub fn add_routines(&mut self, routines: Vec<wasm_encoder::Function>) -> Range<usize> {
+        let before = self.routines.len();
+        self.routines.extend(routines);
+        before..self.routines.len()
+    }
+
+    /// Removes and returns the functions that were added.
+    pub fn take_routines(&mut self) -> Vec<wasm_encoder::Function> {
+        std::mem::take(&mut self.routines)
     }
 
     /// Instructions of the encoder.

@@ -1,8 +1,8 @@
 //! Lists in the order of the model, as the engine reads and writes them: rows, records, and what a window begins with. Where the code has
 //! another order, positions and velocities alternate in the model.
 
-use crate::lists::LEAST;
-use crate::sink::{BLOCK, Local, RECORD, ROW, Sink, Values};
+use super::lists::LEAST;
+use super::{BLOCK, Local, RECORD, ROW, Sink, Values};
 use std::ops::Range;
 
 /// States that follow one another in the model.

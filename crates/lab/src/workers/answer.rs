@@ -1,4 +1,4 @@
-//! What a worker sends to the page.
+//! Messages of a worker to the page.
 
 use js_sys::{Array, Uint8Array};
 use serde::Serialize;

@@ -34,7 +34,7 @@ struct Batch {
     /// Number of its order.
     number: u32,
     computation: SweepComputation,
-    /// What is taken from runs that are not reported.
+    /// Values and points of complete runs that are not reported.
     taken: Vec<TakenRun>,
     /// Time of the last report, in milliseconds.
     reported: f64,

@@ -21,7 +21,7 @@ struct Batch {
     number: u32,
     /// Numbers of the runs that are neither drawn nor waiting.
     missing: Range<usize>,
-    /// What is taken from runs that wait to be drawn.
+    /// Values and points of the runs that wait to be drawn.
     waiting: Vec<TakenRun>,
 }
 

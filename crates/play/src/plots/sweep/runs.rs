@@ -136,7 +136,7 @@ impl Runs {
             return Portion::Alone;
         };
         let portion = if together.ended {
-            // What a run has until it fails is found alone.
+            // A run that fails is made again alone: its points until then count.
             self.take_next(&mut together, next).map_or(Portion::Alone, Portion::Complete)
         } else {
             let Together { runs, takings, ended, .. } = &mut together;
@@ -163,7 +163,7 @@ impl Runs {
         Some(Together { runs, first, begun, takings, ended: false })
     }
 
-    /// What is taken from the run with this number, of runs that were made side by side; `None` if it has failed.
+    /// Values and points of the run with this number, of runs that were made side by side; `None` if it has failed.
     fn take_next(&mut self, together: &mut Together, number: usize) -> Option<TakenRun> {
         let run = number - together.first;
         let (time, state) = together.runs.end(run)?;

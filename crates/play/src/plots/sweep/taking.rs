@@ -1,4 +1,4 @@
-//! What a plot over a parameter takes from a run.
+//! Values and points that a plot over a parameter takes from a run.
 
 use engine::Folds;
 use program::{Sweep, Taken};
@@ -15,7 +15,7 @@ pub(super) struct Taking {
     pub(super) points: Vec<f64>,
 }
 
-/// What is taken from a complete run, SI units. A run that cannot start has neither points nor values.
+/// Values and points of a complete run, SI units. A run that cannot start has neither points nor values.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TakenRun {
     /// One value per curve for each point.

@@ -107,7 +107,7 @@ impl SweepComputation {
 pub enum SweepNews {
     /// Further runs are complete.
     Taken {
-        /// What is taken from them.
+        /// Their values and points.
         runs: Vec<TakenRun>,
         /// True if they are the last ones of the batch.
         is_last: bool,

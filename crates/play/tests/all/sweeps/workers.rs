@@ -43,7 +43,7 @@ impl Elsewhere {
     }
 }
 
-/// What a value is after it has been sent.
+/// A value after it has been sent.
 fn sent<T: serde::Serialize + serde::de::DeserializeOwned>(value: &T) -> T {
     postcard::from_bytes(&postcard::to_allocvec(value).unwrap()).unwrap()
 }
@@ -153,7 +153,7 @@ fn workers_draw_what_is_drawn_here() {
     }
 }
 
-/// Whatever has arrived, the picture is one of those that slices show.
+/// The picture is always one of those that slices show, in any order of arrival.
 #[test]
 fn runs_are_drawn_in_the_order_of_their_values() {
     for curves in [LINES, POINTS] {

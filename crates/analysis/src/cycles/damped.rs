@@ -3,7 +3,7 @@
 //! For given `w` and `g` the best `a`, `b` and `c` follow from linear equations (variable projection: Golub and Pereyra,
 //! SIAM J. Numer. Anal. 10, 413 (1973)), so that only `w` and `g` are searched, by Gauss-Newton steps.
 
-use crate::fit::autoregression::{Block, correlated, orthonormal, subtract_projection};
+use crate::fit::autoregression::{Block, all_correlated, orthonormal, subtract_projection};
 use crate::fit::linear::dot;
 
 /// Values over time, without gaps, in the order of time.
@@ -173,7 +173,7 @@ impl Damped {
     pub fn covariance(&self, points: Points, basis: &[(f64, f64)], variance: f64, rho: f64) -> Option<[[f64; 5]; 5]> {
         let (matrix, _) = self.equations(points, basis)?;
         let columns = self.derivatives(points, basis);
-        let sums: Vec<Vec<f64>> = columns.iter().map(|column| correlated(column, rho)).collect();
+        let sums = all_correlated(&columns, rho);
         // The inverse of the normal matrix is applied on both sides of the products of correlated columns.
         let mut half = [[0.0; 5]; 5];
         for (half, sums) in half.iter_mut().zip(&sums) {

@@ -58,7 +58,8 @@ impl Autoregression {
             .map(|places| Block::at(places, basis, residuals))
             .collect();
         let mut errors: Vec<Errors> = blocks.iter().map(|block| block.errors(0.0, block.count())).collect();
-        let mut shares: Vec<Vec<f64>> = blocks.iter().map(|block| block.products(0.0).0).collect();
+        // Without correlation the products are those of the basis itself.
+        let mut shares: Vec<Vec<f64>> = blocks.iter().map(|block| block.own.clone()).collect();
         // The expected residuals of one series depend on the others through the fit: three rounds are enough.
         let alone = blocks.len() == 1 && priors.iter().all(|value| *value == 0.0);
         for _ in 0..if alone { 1 } else { 3 } {
@@ -199,7 +200,7 @@ impl Block {
     /// Products of the basis with its columns after [`correlated`], row by row, and the trace of the products of these with
     /// the shifted columns.
     fn products(&self, rho: f64) -> (Vec<f64>, f64) {
-        let correlated: Vec<Vec<f64>> = self.basis.iter().map(|column| correlated(column, rho)).collect();
+        let correlated = all_correlated(&self.basis, rho);
         let trace = correlated.iter().zip(&self.shifted).map(|(one, other)| dot(one, other)).sum();
         (products(&self.basis, &correlated), trace)
     }
@@ -248,19 +249,34 @@ fn beside(column: &[f64]) -> Vec<f64> {
     (0..column.len()).map(|row| 0.5 * (at(row.checked_sub(1)) + at(Some(row + 1)))).collect()
 }
 
-/// Sums over all rows with the weights rho^
-/// distance
-/// , that is, the product with the correlation matrix.
+/// Sums over all rows with the weights rho^distance, that is, the product with the correlation matrix.
 pub(crate) fn correlated(column: &[f64], rho: f64) -> Vec<f64> {
-    let mut sums = vec![0.0; column.len()];
-    let (mut before, mut after) = (0.0, 0.0);
-    for (sum, value) in sums.iter_mut().zip(column) {
-        before = value + rho * before;
-        *sum = before;
+    let [sums] = correlated_together([column], rho);
+    sums
+}
+
+/// [`correlated`] of each of the columns, all of the same length. Four columns at a time, because each sum waits for the one before.
+pub(crate) fn all_correlated(columns: &[Vec<f64>], rho: f64) -> Vec<Vec<f64>> {
+    let (fours, rest) = columns.as_chunks::<4>();
+    let fours = fours.iter().flat_map(|four| correlated_together(four.each_ref().map(Vec::as_slice), rho));
+    fours.chain(rest.iter().map(|column| correlated(column, rho))).collect()
+}
+
+fn correlated_together<const COUNT: usize>(columns: [&[f64]; COUNT], rho: f64) -> [Vec<f64>; COUNT] {
+    let rows = columns.iter().map(|column| column.len()).min().unwrap_or(0);
+    let mut sums = columns.map(|_| vec![0.0; rows]);
+    let (mut before, mut after) = ([0.0; COUNT], [0.0; COUNT]);
+    for row in 0..rows {
+        for place in 0..COUNT {
+            before[place] = columns[place][row] + rho * before[place];
+            sums[place][row] = before[place];
+        }
     }
-    for (sum, value) in sums.iter_mut().zip(column).rev() {
-        *sum += rho * after;
-        after = value + rho * after;
+    for row in (0..rows).rev() {
+        for place in 0..COUNT {
+            sums[place][row] += rho * after[place];
+            after[place] = columns[place][row] + rho * after[place];
+        }
     }
     sums
 }
@@ -274,6 +290,12 @@ mod tests {
     fn correlated_sums() {
         let found = correlated(&[1.0, 2.0, 4.0], 0.5);
         assert_eq!(found, [1.0 + 1.0 + 1.0, 0.5 + 2.0 + 2.0, 0.25 + 1.0 + 4.0]);
+        // Five columns: four together, and one.
+        let columns: Vec<Vec<f64>> =
+            (1..=5).map(|factor| [1.0, 2.0, 4.0].map(|one| one * f64::from(factor)).to_vec()).collect();
+        for (column, sums) in columns.iter().zip(all_correlated(&columns, 0.5)) {
+            assert_eq!(sums, correlated(column, 0.5));
+        }
         assert_eq!(beside(&[1.0, 2.0, 4.0]), [1.0, 2.5, 1.0]);
     }
 

@@ -1,7 +1,7 @@
 //! Events that begin and end within a step: none is skipped, and where that cannot be guaranteed the run gives a notice.
 
 use crate::support::{jumps, model, run, setup};
-use engine::{Method, Run, Subject};
+use engine::{Method, Run, Setup, Subject};
 
 /// The methods that follow a parabola exactly, besides Euler's.
 const EXACT: [Method; 5] =
@@ -32,6 +32,29 @@ fn a_graze_through_a_threshold_is_seen() {
         let plain = "y'' = -9.8 [m/s^2]\ny(0) = 0 [m]\ny'(0) = 9.8 [m/s]\ndiscrete n = 0\n";
         let missed = counting(&format!("{plain}when y > 4.900001 [m] {{ n = n + 1 }}"), method, 0.3, 7);
         assert_eq!(missed.history().fingerprint(), counting(plain, method, 0.3, 7).history().fingerprint(), "{method}");
+    }
+}
+
+/// The graze of a stone that counts only after 0.9 s: the step in which it lies begins at 0.7 s.
+#[test]
+fn a_graze_and_the_time_are_seen_together() {
+    let text = "y'' = -9.8 [m/s^2]\ny(0) = 0 [m]\ny'(0) = 9.8 [m/s]\ndiscrete n = 0\n\
+                when y > 4.899 [m] and t > 0.9 [s] { n = n + 1 }";
+    for method in EXACT {
+        assert_eq!(counting(text, method, 0.7, 3).state()[2], 1.0, "{method}");
+    }
+}
+
+/// A push of 10 microseconds whose moment is a parameter, at the value of the document and at another one.
+#[test]
+fn a_short_push_at_a_moment_by_a_parameter_is_not_skipped() {
+    let model =
+        model("parameter T = 0.313 [s]\nv' = if t > T and t < T + 1e-5 [s] then 1e5 [1/s] else 0 [1/s]\nv(0) = 0");
+    for method in [Method::Euler, Method::RungeKutta4, Method::DormandPrince, Method::Rosenbrock] {
+        for moment in [0.313, 0.747] {
+            let run = run(&model, Setup { parameters: vec![moment], ..setup(&model, method, 0.1) }, 10);
+            assert!((run.state()[0] - 1.0).abs() < 1e-6, "{method}, {moment}: {}", run.state()[0]);
+        }
     }
 }
 
@@ -96,10 +119,14 @@ fn what_cannot_be_promised_is_said() {
     let message = run.notices()[0].message(&model(in_time));
     assert!(message.english().ends_with("from t = 0 s on"), "{message:?}");
     assert!(message.text(catalogues::with(units::Language::Spanish)).contains("t = 0 s"), "{message:?}");
-    // After going back to the start there is no notice.
-    let mut back = counting(fast, Method::RungeKutta4, 0.05, 1);
-    back.truncate(0);
-    assert_eq!(back.notices(), []);
+    // After going back to the start there is no notice; after going back to a later row it stays.
+    for text in [fast, in_time] {
+        let mut back = counting(text, Method::RungeKutta4, 0.05, 3);
+        back.truncate(1);
+        assert_eq!(back.notices().len(), 1, "{text}");
+        back.truncate(0);
+        assert_eq!(back.notices(), [], "{text}");
+    }
     let slow = "discrete n = 0\nwhen sin(2*pi*238 [1/s]*t) > 0 { n = n + 1 }";
     assert_eq!(counting(slow, Method::RungeKutta4, 0.05, 20).notices(), []);
 }

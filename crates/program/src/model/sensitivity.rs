@@ -66,18 +66,20 @@ impl Model {
     fn moved_by(&self, parameter: u32, inputs: &[[Dependence; 2]]) -> Vec<bool> {
         // The moment of an event can have an effect on any state.
         let mut moved = vec![!self.events.is_empty(); inputs.len()];
-        loop {
-            let reads = |of: &Dependence| {
-                of.parameters.contains(&parameter)
-                    || of.states.iter().chain(&of.initial).any(|&state| moved[state as usize])
-            };
-            let found: Vec<bool> = inputs.iter().map(|of| of.iter().any(reads)).collect();
-            let next: Vec<bool> = moved.iter().zip(found).map(|(known, found)| *known || found).collect();
-            if next == moved {
-                return moved;
+        let mut grows = true;
+        while std::mem::take(&mut grows) {
+            for (state, of) in inputs.iter().enumerate() {
+                let reads = |of: &Dependence| {
+                    of.parameters.contains(&parameter)
+                        || of.states.iter().chain(&of.initial).any(|&state| moved[state as usize])
+                };
+                if !moved[state] && of.iter().any(reads) {
+                    moved[state] = true;
+                    grows = true;
+                }
             }
-            moved = next;
         }
+        moved
     }
 
     /// Adds the sensitivities to one parameter; `place` is its index among the parameters and their number, `moved` as

@@ -255,13 +255,17 @@ impl Curve {
         motion.solve(parameters, times, &mut self.routine, &mut self.values)
     }
 
-    /// Values of the roots of `routine` at `times`, as [`Curve::follow`] takes them: those of the first root at all times, then those
-    /// of the second, and so on; NaN where the solution does not reach. The routine is compiled for the model without
-    /// sensitivities.
-    pub fn read(&mut self, routine: &mut Routine, parameters: &[f64], times: &[f64]) -> Vec<f64> {
+    /// Shape of the curve: values of the roots of `routine` at `times`, as [`Curve::follow`] takes them, those of the first root at
+    /// all times, then those of the second, and so on; NaN where the solution does not reach. The routine is compiled for the
+    /// model without sensitivities. Equations of motion are solved with the coarsest of the [`TOLERANCES`].
+    pub fn shape(&mut self, routine: &mut Routine, parameters: &[f64], times: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; routine.len() * times.len()];
         match &mut self.motion {
-            Some(motion) => drop(motion.solve(parameters, times, routine, &mut values)),
+            Some(motion) => {
+                motion.set_tolerance(TOLERANCES[0]);
+                motion.solve(parameters, times, routine, &mut values);
+                motion.set_tolerance(self.tolerance);
+            }
             None => {
                 routine.prepare(parameters, &[]);
                 routine.evaluate_rows(times, &[], &mut values);

@@ -46,7 +46,7 @@ pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covarian
 
 /// Values of the model for one observation at ascending `times`, and their derivatives with respect to `x`. NaN where the
 /// model has none.
-pub(super) fn values_at(
+fn values_at(
     problem: &mut Problem,
     (record, plan): (usize, &Plan),
     observation: usize,

@@ -64,32 +64,43 @@ impl DormandPrince {
         if equations.attempt_compiled(time, size, from, to, error, [first, last]) {
             return;
         }
-        for stage in 1..STAGES {
-            let (known, rest) = self.rates.split_at_mut(stage);
-            let Some(rates) = rest.first_mut() else {
-                continue;
-            };
-            combine(&mut self.stage, from, size, STAGE_WEIGHTS[stage], known);
-            equations.rates(time + NODES[stage] * size, &self.stage, rates);
-        }
+        self.stage::<1>(equations, (time, size), from);
+        self.stage::<2>(equations, (time, size), from);
+        self.stage::<3>(equations, (time, size), from);
+        self.stage::<4>(equations, (time, size), from);
+        self.stage::<5>(equations, (time, size), from);
+        self.stage::<6>(equations, (time, size), from);
         to.copy_from_slice(&self.stage);
-        weighted(error, &ERROR_WEIGHTS, &self.rates);
-        error.iter_mut().for_each(|error| *error *= size);
+        weighted(error, &ERROR_WEIGHTS, &self.rates, from, |_, sum| sum * size);
+    }
+
+    /// Computes the rates of stage `NUMBER` of a step of `size` from the state `from` at `time`, SI units.
+    #[inline]
+    fn stage<const NUMBER: usize>(&mut self, equations: &mut Equations, (time, size): (f64, f64), from: &[f64]) {
+        let (known, rest) = self.rates.split_at_mut(NUMBER);
+        let Some((weights, (known, rates))) =
+            STAGE_WEIGHTS[NUMBER].first_chunk::<NUMBER>().zip(known.first_chunk().zip(rest.first_mut()))
+        else {
+            return;
+        };
+        weighted(&mut self.stage, weights, known, from, |from, sum| from + size * sum);
+        equations.rates(time + NODES[NUMBER] * size, &self.stage, rates);
     }
 
     /// Coefficients of the dense output of the last step of `size` (SI), from the state `from` to `to`: five lists of one per state.
     pub fn dense(&self, size: f64, from: &[f64], to: &[f64], coefficients: &mut [Vec<f64>; 5]) {
-        let [c_0, c_1, c_2, c_3, c_4] = coefficients;
+        let [c_0, c_1, c_2, c_3, c_4] = coefficients.each_mut().map(|list| &mut list[..from.len()]);
+        let [first, .., last] = self.rates.each_ref().map(|rates| &rates[..from.len()]);
+        let to = &to[..from.len()];
         for k in 0..from.len() {
             let change = to[k] - from[k];
-            let bend = size * self.rates[0][k] - change;
+            let bend = size * first[k] - change;
             c_0[k] = from[k];
             c_1[k] = change;
             c_2[k] = bend;
-            c_3[k] = change - size * self.rates[STAGES - 1][k] - bend;
+            c_3[k] = change - size * last[k] - bend;
         }
-        weighted(c_4, &DENSE_WEIGHTS, &self.rates);
-        c_4.iter_mut().for_each(|value| *value *= size);
+        weighted(c_4, &DENSE_WEIGHTS, &self.rates, from, |_, sum| sum * size);
     }
 
     /// Stores the last stage of an accepted step as the first stage of the next one.
@@ -101,27 +112,30 @@ impl DormandPrince {
 /// Evaluates the dense output at `part` of the step, 0 to 1; one value per state.
 pub(crate) fn dense_value(coefficients: &[Vec<f64>; 5], part: f64, out: &mut [f64]) {
     let rest = 1.0 - part;
-    let [c_0, c_1, c_2, c_3, c_4] = coefficients;
+    let [c_0, c_1, c_2, c_3, c_4] = coefficients.each_ref().map(|list| &list[..out.len()]);
     for (k, value) in out.iter_mut().enumerate() {
         *value = c_0[k] + part * (c_1[k] + rest * (c_2[k] + part * (c_3[k] + rest * c_4[k])));
     }
 }
 
-/// to = from + size * (weights . rates), summed from the left.
-fn combine(to: &mut [f64], from: &[f64], size: f64, weights: &[f64], rates: &[Vec<f64>]) {
-    weighted(to, weights, rates);
-    for (to, from) in to.iter_mut().zip(from) {
-        *to = from + size * *to;
-    }
-}
-
-/// sum = weights . rates, stage by stage over all states, which allows vectorization.
-fn weighted(sum: &mut [f64], weights: &[f64], rates: &[Vec<f64>]) {
-    sum.fill(0.0);
-    for (weight, rates) in weights.iter().zip(rates) {
-        for (sum, rate) in sum.iter_mut().zip(rates) {
-            *sum += weight * rate;
+/// to = result(from, weights . rates) for each state, summed from the left. With the number of stages as a constant, all of them
+/// are summed in registers, for as many states at once as the processor has room for.
+// Not inlined: the compiler then knows that `to` overlaps with nothing that is read.
+#[inline(never)]
+fn weighted<const COUNT: usize>(
+    to: &mut [f64],
+    weights: &[f64; COUNT],
+    rates: &[Vec<f64>; COUNT],
+    from: &[f64],
+    result: impl Fn(f64, f64) -> f64,
+) {
+    let rates = rates.each_ref().map(|rates| &rates[..to.len()]);
+    for (k, (to, from)) in to.iter_mut().zip(from).enumerate() {
+        let mut sum = 0.0;
+        for (weight, rates) in weights.iter().zip(&rates) {
+            sum += weight * rates[k];
         }
+        *to = result(*from, sum);
     }
 }
 

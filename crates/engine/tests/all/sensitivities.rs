@@ -60,6 +60,30 @@ y'(0) = v_0
     check(text, &[4.0, 0.3, 0.7, -0.2], &[0.3, 2.0, 9.7], exact, 1e-7);
 }
 
+/// A state does not depend on the numbers of what follows from it, nor on one that is read beside it.
+#[test]
+fn of_states_that_a_parameter_does_not_move_are_constant() {
+    let text = "
+parameter a = 0.5 [s^-1]
+parameter b = 2 [s^-1]
+parameter c = 3 [m]
+parameter x_0 = 1 [m]
+x' = -a*x
+y' = a*x - b*y
+x(0) = x_0
+y(0) = 0 [m]
+z = y + c
+";
+    let extended = model(text).with_sensitivities(&[0, 1, 2, 3]).unwrap();
+    let still: Vec<bool> =
+        extended.states[2..].iter().map(|state| extended.graph.as_constant(state.derivative) == Some(0.0)).collect();
+    // Of x and y to each parameter.
+    let expected = [[false, false], [true, false], [true, true], [false, false]];
+    assert_eq!(still, expected.concat());
+    let exact = |p: &[f64], t: f64| p[3] * libm::exp(-p[0] * t);
+    check(text, &[0.5, 2.0, 3.0, 1.0], &[0.4, 2.5], exact, 1e-7);
+}
+
 #[test]
 fn of_what_depends_on_the_initial_value_itself() {
     let text = "

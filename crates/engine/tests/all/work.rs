@@ -47,6 +47,39 @@ fn evaluations_by_tolerance_for_stiff_and_orbital_problems() {
     assert_eq!(counts, [(1663, 0), (4837, 0), (16585, 0), (1878, 235), (5520, 874), (53976, 8982)]);
 }
 
+/// Times that need not be on the grid are read from the same steps as rows.
+#[test]
+fn times_within_a_step_have_the_bits_of_rows() {
+    let model = model(U_TUBE);
+    for method in [Method::DormandPrince, Method::Rosenbrock] {
+        let mut rows = Stepper::new(&model, &setup(&model, method, 0.05)).unwrap();
+        let mut times = rows.clone();
+        for row in 1..=200 {
+            rows.advance(|_, _, _| {}).unwrap();
+            times.advance_to(f64::from(row) * 0.05).unwrap();
+            assert_eq!((times.time(), times.state()), (rows.time(), rows.state()));
+            assert_eq!(times.evaluations(), rows.evaluations(), "row {row} by {}", method.name());
+        }
+    }
+}
+
+/// The step that is not finite is counted once.
+#[test]
+fn evaluations_up_to_an_error() {
+    let model = model("independent t\ny' = y^2\ny(0) = 1\n");
+    let mut stepper = Stepper::new(&model, &setup(&model, Method::RungeKutta4, 0.1)).unwrap();
+    let mut rows = 0;
+    let error = loop {
+        match stepper.advance(|_, _, _| {}) {
+            Ok(_) => rows += 1,
+            Err(error) => break error,
+        }
+    };
+    assert!(rows > 10 && stepper.state()[0].is_finite());
+    assert_eq!(stepper.evaluations(), 4 * (rows + 1));
+    assert_eq!(stepper.advance(|_, _, _| {}).unwrap_err(), error);
+}
+
 #[test]
 fn instructions_of_the_u_tube() {
     let model = model(U_TUBE);

@@ -14,7 +14,7 @@
 
 use super::MOST_NODES;
 use crate::graph::along;
-use crate::{Binary, Graph, Jump, Model, Node, NodeId, Role, Sensitive, State, Unary};
+use crate::{Binary, Dependence, Graph, Jump, Model, Node, NodeId, Role, Sensitive, State, Unary};
 use units::Unit;
 
 impl Model {
@@ -32,8 +32,10 @@ impl Model {
             parameters: parameters.len(),
             delays: jumps.map(|switch| (switch.node, Vec::new())).collect(),
         });
+        let inputs = self.inputs();
         for (position, &parameter) in parameters.iter().enumerate() {
-            self.add_sensitivity(&mut extended, parameter as u32, (position, parameters.len()));
+            let moved = self.moved_by(parameter as u32, &inputs);
+            self.add_sensitivity(&mut extended, parameter as u32, (position, parameters.len()), &moved);
             if extended.graph.len() > MOST_NODES {
                 return None;
             }
@@ -55,8 +57,34 @@ impl Model {
         moving(&mut self.graph, nodes, &rates)
     }
 
-    /// Adds the sensitivities to one parameter; `place` is its index among the parameters and their number.
-    fn add_sensitivity(&self, extended: &mut Model, parameter: u32, place: (usize, usize)) {
+    /// What the initial value and the rate of each state depend on.
+    fn inputs(&self) -> Vec<[Dependence; 2]> {
+        self.states.iter().map(|state| [state.initial, state.derivative].map(|node| self.depends(node))).collect()
+    }
+
+    /// One per state: false if a parameter has no effect on it, directly or over other states. `inputs` as [`Model::inputs`].
+    fn moved_by(&self, parameter: u32, inputs: &[[Dependence; 2]]) -> Vec<bool> {
+        // The moment of an event can have an effect on any state.
+        let mut moved = vec![!self.events.is_empty(); inputs.len()];
+        let mut grows = true;
+        while std::mem::take(&mut grows) {
+            for (state, of) in inputs.iter().enumerate() {
+                let reads = |of: &Dependence| {
+                    of.parameters.contains(&parameter)
+                        || of.states.iter().chain(&of.initial).any(|&state| moved[state as usize])
+                };
+                if !moved[state] && of.iter().any(reads) {
+                    moved[state] = true;
+                    grows = true;
+                }
+            }
+        }
+        moved
+    }
+
+    /// Adds the sensitivities to one parameter; `place` is its index among the parameters and their number, `moved` as
+    /// [`Model::moved_by`].
+    fn add_sensitivity(&self, extended: &mut Model, parameter: u32, place: (usize, usize), moved: &[bool]) {
         let states = self.states.len();
         let first = extended.states.len();
         let initial: Vec<NodeId> = self.states.iter().map(|state| state.initial).collect();
@@ -64,6 +92,7 @@ impl Model {
         let graph = &mut extended.graph;
         let at_start = total(graph, &initial, parameter, first, &[]);
         let derivatives = total(graph, &rates, parameter, first, &initial);
+        let zero = graph.constant(0.0);
         let scale = self.parameters[parameter as usize].value.abs();
         let scale = if scale > 0.0 { scale } else { self.parameters[parameter as usize].unit.factor.abs() };
         for (number, state) in self.states.iter().enumerate() {
@@ -77,7 +106,8 @@ impl Model {
                 unit,
                 initial: at_start[number],
                 role: Role::Own,
-                derivative: derivatives[number],
+                // Begins at 0 and stays there.
+                derivative: if moved[number] { derivatives[number] } else { zero },
             });
         }
         for number in 0..self.events.len() {

@@ -5,8 +5,9 @@ use crate::fit::search::Search;
 use crate::fit::search::problem::Problem;
 use crate::fit::search::start::halton;
 use crate::fit::task::plan::Plan;
-use crate::fit::trace::values_at;
 use crate::sampling;
+use engine::Routine;
+use program::NodeId;
 
 /// Points of the curve per sample interval.
 const BETWEEN: usize = 8;
@@ -40,14 +41,26 @@ fn is_undersampled(problem: &mut Problem, (record, plan): (usize, &Plan), best: 
     // Irregular times, so that an oscillation faster than these points is not taken for a slow one.
     let time = |number: usize| first + interval * (number as f64 + halton(number, 1)) / BETWEEN as f64;
     let times: Vec<f64> = (0..intervals.min(MOST) * BETWEEN).map(time).collect();
-    Some((0..plan.expressions.len()).any(|observation| {
-        let (values, _) = values_at(problem, (record, plan), observation, &best.x, &times);
-        let turns = turns(&values);
+    let values = curves(problem, (record, plan), &best.x, &times);
+    Some(values.chunks(times.len().max(1)).any(|values| {
+        let turns = turns(values);
         let (Some(&begin), Some(&end)) = (turns.first(), turns.last()) else { return false };
         // Each turning point is known to one step between two points.
         let lasts = times[end] - times[begin] + 2.0 * interval / BETWEEN as f64;
         turns.len() >= LEAST && lasts < (turns.len() - 1) as f64 * interval
     }))
+}
+
+/// Values of the model at ascending `times` for the first observation of a record, then for the second, and so on: exact to a small
+/// part of what is [`VISIBLE`], and without offsets and film scales, which change no turning point.
+fn curves(problem: &mut Problem, (record, plan): (usize, &Plan), x: &[f64], times: &[f64]) -> Vec<f64> {
+    let (origin, earliest) = (problem.origin(record, plan, x), problem.earliest());
+    let times: Vec<f64> = times.iter().map(|time| (time - origin).max(earliest)).collect();
+    let nodes: Vec<NodeId> = plan.expressions.iter().map(|&number| problem.layout.expressions[number]).collect();
+    let mut routine = Routine::compile(&problem.model, &nodes);
+    let parameters = problem.parameters(record, x);
+    problem.curve.begin_trial();
+    problem.curve.shape(&mut routine, &parameters, &times)
 }
 
 /// Indices of the turning points of a curve.

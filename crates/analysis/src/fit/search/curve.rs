@@ -1,8 +1,9 @@
 //! Curve of the model at measured times, with its derivatives with respect to the varied numbers.
 
+use super::motion::Motion;
 use crate::fit::lanes::{Lanes, Solution, Sought};
 use crate::fit::task::Target;
-use engine::{Compiled, Listing, Method, Routine, Setup, Stepper};
+use engine::{Compiled, Listing, Method, Routine, Setup};
 use program::{Kind, Model, Node, NodeId};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -11,10 +12,6 @@ use units::{Words, words};
 /// Error tolerances of a step of equations of motion, relative to the greatest value of each state: far from the answer,
 /// near it, and at the end. The last one keeps the error of all steps together below 1e-9.
 pub(crate) const TOLERANCES: [f64; 3] = [1e-6, 1e-8, 1e-10];
-/// Upper bound of the evaluations of the equations for one solution.
-const MOST_EVALUATIONS: u64 = 2_000_000;
-/// Upper bound of the work for the solutions of all records in one trial, in floating-point operations: some seconds.
-const MOST_WORK: u64 = 5_000_000_000;
 
 /// Copy of a model without tables, buttons, texts and sizes.
 pub(crate) fn bare(model: &Model) -> Model {
@@ -47,16 +44,9 @@ pub(crate) struct Curve {
     /// For each observed expression: its value, its derivatives with respect to each of `varied`, and to the independent
     /// variable.
     routine: Routine,
-    initial: Routine,
-    stepper: Option<Stepper>,
-    /// Work of the present trial, in floating-point operations.
-    spent: u64,
-    /// True once a solution was given up because of one of the upper bounds.
-    gave_up: bool,
-    start: Vec<f64>,
-    zeros: Vec<f64>,
+    /// Solver of the equations of motion; `None` for a formula.
+    motion: Option<Motion>,
     values: Vec<f64>,
-    row: Vec<f64>,
     /// Model, setup and readings from which a solver of several solutions is made; `None` for a formula.
     extended: Option<Rc<Extended>>,
     lanes: Option<Rc<RefCell<dyn Lanes>>>,
@@ -123,7 +113,6 @@ impl Curve {
             roots.extend(by_parameter.iter().map(|nodes| nodes[number]));
             roots.push(rates[number]);
         }
-        let initial_nodes: Vec<NodeId> = extended.states.iter().map(|state| state.initial).collect();
         let setup = Setup {
             parameters: parameters.to_vec(),
             method: if method == Method::Rosenbrock { method } else { Method::DormandPrince },
@@ -133,16 +122,13 @@ impl Curve {
             drawings: Vec::new(),
             presses: Vec::new(),
         };
-        let stepper = match states {
+        let motion = match states {
             0 => None,
-            _ => Some(Stepper::new(&extended, &setup).map_err(|error| error.message(&extended))?),
+            _ => Some(Motion::new(&extended, &setup).map_err(|error| error.message(&extended))?),
         };
-        let all = extended.states.len();
         let mut curve = Self {
             routine: Routine::compile(&extended, &roots),
-            initial: Routine::compile(&extended, &initial_nodes),
-            row: vec![0.0; roots.len()],
-            extended: stepper.is_some().then(|| Rc::new(Extended { model: extended, setup, readings: roots })),
+            extended: motion.is_some().then(|| Rc::new(Extended { model: extended, setup, readings: roots })),
             lanes: None,
             tolerance: TOLERANCES[0],
             solved: Vec::new(),
@@ -150,11 +136,7 @@ impl Curve {
             varied,
             linear,
             observed: observed.len(),
-            stepper,
-            spent: 0,
-            gave_up: false,
-            start: vec![0.0; all],
-            zeros: vec![0.0; all],
+            motion,
             values: Vec::new(),
         };
         curve.set_tolerance(TOLERANCES[0]);
@@ -163,10 +145,8 @@ impl Curve {
 
     /// Makes the steps in compiled code from now on, if `compile` makes it from their listing. The bits stay the same.
     pub fn compile(&mut self, compile: impl FnOnce(Listing) -> Option<Rc<dyn Compiled>>) {
-        if let Some(stepper) = &mut self.stepper
-            && let Some(code) = stepper.listing().ok().and_then(compile)
-        {
-            stepper.use_compiled(code);
+        if let Some(motion) = &mut self.motion {
+            motion.compile(compile);
         }
     }
 
@@ -183,7 +163,7 @@ impl Curve {
 
     /// Number of values that a solution has at each time.
     pub fn readings(&self) -> usize {
-        self.row.len()
+        self.routine.len()
     }
 
     /// Computes solutions side by side, which [`Curve::follow`] then finds. Those of the last call are discarded.
@@ -213,8 +193,8 @@ impl Curve {
     pub fn set_tolerance(&mut self, tolerance: f64) {
         self.tolerance = tolerance;
         self.solved.clear();
-        if let Some(stepper) = &mut self.stepper {
-            stepper.allow_of_peak(tolerance);
+        if let Some(motion) = &mut self.motion {
+            motion.set_tolerance(tolerance);
         }
     }
 
@@ -242,12 +222,14 @@ impl Curve {
 
     /// Begins a trial: its solutions together are bounded.
     pub fn begin_trial(&mut self) {
-        self.spent = 0;
+        if let Some(motion) = &mut self.motion {
+            motion.begin_trial();
+        }
     }
 
     /// True if a solution took more computation than is allowed, and was given up.
     pub fn gave_up(&self) -> bool {
-        self.gave_up
+        self.motion.as_ref().is_some_and(Motion::gave_up)
     }
 
     /// Computes the observed expressions, [`Curve::stride`] columns for each, into [`Curve::values`]. `times` are those of
@@ -257,46 +239,39 @@ impl Curve {
         let rows = times.len();
         let place = if self.solved.is_empty() { None } else { self.solved(parameters, times) };
         self.values.resize(self.observed * self.stride() * rows, 0.0);
-        let Some(stepper) = &mut self.stepper else {
-            self.routine.prepare(parameters, &self.zeros);
-            self.routine.evaluate_rows(times, &self.zeros, &mut self.values);
+        let Some(motion) = &mut self.motion else {
+            self.routine.prepare(parameters, &[]);
+            self.routine.evaluate_rows(times, &[], &mut self.values);
             return rows;
         };
         if let Some(place) = place {
             let (_, solution) = self.solved.swap_remove(place);
             // Near the upper bound the engine finds the row at which it is reached.
-            if self.spent + solution.work <= MOST_WORK {
-                self.spent += solution.work;
+            if motion.may_spend(solution.work) {
                 self.values = solution.values;
                 return rows;
             }
         }
-        self.initial.prepare(parameters, &self.zeros);
-        self.initial.evaluate(0.0, &self.zeros, &mut self.start);
-        if !self.start.iter().all(|value| value.is_finite()) {
-            return 0;
-        }
-        self.routine.prepare(parameters, &self.start);
-        stepper.begin(parameters.to_vec(), &self.start);
-        let (evaluations, work) = (stepper.evaluations(), stepper.work());
-        let spent = self.spent;
-        for (row, &time) in times.iter().enumerate() {
-            if time > stepper.time() {
-                if stepper.advance_to(time).is_err() {
-                    return row;
-                }
-                self.spent = spent + (stepper.work() - work);
-                if stepper.evaluations() - evaluations > MOST_EVALUATIONS || self.spent > MOST_WORK {
-                    self.gave_up = true;
-                    return row;
-                }
+        motion.solve(parameters, times, &mut self.routine, &mut self.values)
+    }
+
+    /// Shape of the curve: values of the roots of `routine` at `times`, as [`Curve::follow`] takes them, those of the first root at
+    /// all times, then those of the second, and so on; NaN where the solution does not reach. The routine is compiled for the
+    /// model without sensitivities. Equations of motion are solved with the coarsest of the [`TOLERANCES`].
+    pub fn shape(&mut self, routine: &mut Routine, parameters: &[f64], times: &[f64]) -> Vec<f64> {
+        let mut values = vec![f64::NAN; routine.len() * times.len()];
+        match &mut self.motion {
+            Some(motion) => {
+                motion.set_tolerance(TOLERANCES[0]);
+                motion.solve(parameters, times, routine, &mut values);
+                motion.set_tolerance(self.tolerance);
             }
-            self.routine.evaluate(time, stepper.state(), &mut self.row);
-            for (column, value) in self.values.chunks_mut(rows).zip(&self.row) {
-                column[row] = *value;
+            None => {
+                routine.prepare(parameters, &[]);
+                routine.evaluate_rows(times, &[], &mut values);
             }
         }
-        rows
+        values
     }
 
     /// Columns computed by the last [`Curve::follow`], one after the other.

@@ -13,6 +13,7 @@
 pub(in crate::fit) mod curve;
 pub(in crate::fit) mod elsewhere;
 pub(in crate::fit) mod loss;
+mod motion;
 pub(in crate::fit) mod problem;
 pub(in crate::fit) mod refine;
 pub(in crate::fit) mod robust;

@@ -220,7 +220,7 @@ impl Problem {
     }
 
     /// First time at which the curve is known, SI. With a varied origin, the system is at rest before it.
-    fn earliest(&self) -> f64 {
+    pub fn earliest(&self) -> f64 {
         if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY }
     }
 

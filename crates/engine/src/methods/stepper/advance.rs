@@ -73,7 +73,7 @@ impl Stepper {
             record.row(target, &self.state, false);
             return Ok(Progress::Row { events: 0 });
         }
-        if self.may_take_rows() && self.takes_row(target, work) {
+        if self.takes_row(target, work) {
             record.row(target, &self.state, false);
             return Ok(Progress::Row { events: std::mem::take(&mut self.row).events });
         }
@@ -102,8 +102,13 @@ impl Stepper {
     /// # Errors
     /// As [`Stepper::advance`].
     pub fn advance_to(&mut self, time: f64) -> Result<usize, RunError> {
-        self.on_grid = false;
         self.row = RowWork::default();
+        self.catch_up();
+        if self.moves_within_step(time) {
+            self.find_grid();
+            return Ok(0);
+        }
+        self.on_grid = false;
         self.heeds_ends = false;
         let result = self.try_until(time, u64::MAX, &mut |_: f64, _: &[f64], _: bool| {});
         self.heeds_ends = true;

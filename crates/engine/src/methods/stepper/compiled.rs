@@ -21,31 +21,36 @@ impl Stepper {
         true
     }
 
-    /// True if [`Stepper::takes_row`] may take one: a fixed-step method that is interpreted makes each step for itself.
-    #[inline(always)]
-    pub(super) fn may_take_rows(&self) -> bool {
-        self.equations.is_compiled() || matches!(self.solver, Solver::Adaptive(_))
-    }
-
-    /// Moves to the next grid point, at the moment `target` (SI), if its state is computed already or can be in advance and nothing can
-    /// happen on the way: within the last step of an adaptive method, or by compiled code that makes several steps. False if not, if
-    /// the state is not finite there, or if compiled code needs more than about `work` floating-point operations.
+    /// Moves to the next grid point, at the moment `target` (SI), if nothing can happen on the way and its state is computed already or
+    /// can be at once: within the last step of an adaptive method, by a step of a fixed-step method, or by compiled code that makes
+    /// several steps. False if not, if the state is not finite there, or if compiled code needs more than about `work` floating-point
+    /// operations.
     // Not inlined: `advance_within` is compiled with each of its callers.
     #[inline(never)]
     pub(super) fn takes_row(&mut self, target: f64, work: u64) -> bool {
-        if !self.on_grid || self.stopped.is_some() || self.counts || self.presses.next().is_some() {
+        if !self.on_grid || !self.is_undisturbed() {
             return false;
         }
-        match &self.solver {
+        match &mut self.solver {
             Solver::Adaptive(_) if self.equations.window.is_some() => {
                 if !self.takes_row_ahead(work) {
                     return false;
                 }
             }
             _ if !self.surfaces.is_smooth() => return false,
-            Solver::Fixed(method) => {
+            Solver::Fixed(method) if self.equations.is_compiled() => {
                 self.equations.begin_rows(method.stages(), self.index, self.step, &self.state);
                 return self.takes_known_row(target);
+            }
+            Solver::Fixed(method) => {
+                let evaluations = self.equations.evaluations;
+                method.step(&mut self.equations, self.time, self.step, &self.state, &mut self.next);
+                if !self.next.iter().all(|value| value.is_finite()) {
+                    // The step is made again, for its error.
+                    self.equations.evaluations = evaluations;
+                    return false;
+                }
+                std::mem::swap(&mut self.state, &mut self.next);
             }
             Solver::Adaptive(method) if target < method.end() => {
                 method.dense(target - method.start(), &mut self.state);
@@ -55,6 +60,25 @@ impl Stepper {
         self.time = target;
         self.index += 1;
         true
+    }
+
+    /// Moves to the moment `time` (SI) within the last step of an adaptive method. False if it is not there, or if something can happen
+    /// on the way.
+    pub(super) fn moves_within_step(&mut self, time: f64) -> bool {
+        let Solver::Adaptive(method) = &self.solver else { return false };
+        let within = self.time < time && time < method.end();
+        if !within || !self.is_undisturbed() || !self.surfaces.is_smooth() {
+            return false;
+        }
+        method.dense(time - method.start(), &mut self.state);
+        self.time = time;
+        true
+    }
+
+    /// True for a run with a continuous independent variable that has not stopped and in which no press is to come.
+    #[inline(always)]
+    fn is_undisturbed(&self) -> bool {
+        self.stopped.is_none() && !self.counts && self.presses.next().is_none()
     }
 
     /// The steps of this stepper for a compiler.

@@ -123,6 +123,14 @@ fn a_second_body_that_is_nowhere_in_the_frame_of_the_click_was_covered_there() {
 }
 
 #[test]
+fn a_spot_of_a_larger_body_that_turns_is_in_doubt_from_end_to_end() {
+    let stage = Stage::new(Kind::Ball, 4014, 1080, 40, true);
+    let (track, _) = followed(&stage, 0, 18..36, 4014).expect("a track");
+    assert!(track.outline.is_some_and(|outline| outline.radius < 0.3 * stage.radius), "{:?}", track.outline);
+    assert!(track.points.len() > 8 && track.points.iter().all(|point| point.doubtful));
+}
+
+#[test]
 fn two_equal_bodies_that_meet_soon_after_the_click_are_told_apart() {
     // Seed, rows, frame of the click, and body: it meets the other one two, and five frames later.
     for (seed, rows, first, body) in [(6006, 120, 2, 1), (4002, 240, 14, 0)] {

@@ -43,12 +43,14 @@ pub(crate) struct Seen {
     pub alone: bool,
     /// Vector to a body of the same look that may cover a part of this one, px.
     pub beside: Option<[f64; 2]>,
+    /// Fraction of the ring around the body that does not show the background.
+    pub outside: f32,
 }
 
 impl Seen {
     /// Body found in a frame. `key`: index of the template.
     pub(super) fn new(frame: Frame<'_>, key: usize, part: Part, one: &Sighting) -> Seen {
-        let Sighting { found, agreement, free, beside, .. } = *one;
+        let Sighting { found, agreement, free, beside, outside, .. } = *one;
         let [x, y] = found.position;
         let is_inside =
             (0.0..frame.plane.width() as f64).contains(&x) && (0.0..frame.plane.height() as f64).contains(&y);
@@ -67,6 +69,7 @@ impl Seen {
             moves: true,
             alone: true,
             beside,
+            outside,
         }
     }
 

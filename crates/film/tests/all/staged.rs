@@ -131,6 +131,16 @@ fn a_spot_of_a_larger_body_that_turns_is_in_doubt_from_end_to_end() {
 }
 
 #[test]
+fn a_second_body_that_was_covered_at_the_click_and_separates_at_once_is_noticed() {
+    // Seed, rows, frame of the click and body. Both are out of each other's reach a frame or two later.
+    for (seed, rows, first, body) in [(8001, 360, 38, 0), (8006, 360, 117, 1), (9001, 360, 52, 0)] {
+        let stage = Stage::new(Kind::Twins, seed, rows, 240, seed % 2 == 0);
+        let (track, _) = followed(&stage, body, first..first + 24, seed + 100 * body as u64).expect("a track");
+        assert!(track.points.len() > 20 && track.points.iter().all(|point| point.doubtful), "film {seed}");
+    }
+}
+
+#[test]
 fn two_equal_bodies_that_meet_soon_after_the_click_are_told_apart() {
     // Seed, rows, frame of the click, and body: it meets the other one two, and five frames later.
     for (seed, rows, first, body) in [(6006, 120, 2, 1), (4002, 240, 14, 0)] {

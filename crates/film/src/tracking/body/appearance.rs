@@ -132,15 +132,16 @@ impl Appearance {
         }
     }
 
-    /// Another body of the same look, which matches the template, at a distance (px) in the range from the body at a position.
+    /// Another body of the same look, which matches the template, at a distance (px) in the range from the body at a position, with an agreement of
+    /// at least `least` times the best possible one.
     pub(super) fn rival(
         &self,
         (compared, first): (&Compared<'_>, &Template),
         position: [f64; 2],
-        range: std::ops::Range<f64>,
+        (range, least): (std::ops::Range<f64>, f32),
     ) -> Option<Sighting> {
         let disc = first.disc;
-        let place = self.look.rival(compared, (disc.middle(position), disc.outline), range)?;
+        let place = self.look.rival(compared, (disc.middle(position), disc.outline), (range, least))?;
         let place = [place[0] - disc.shift[0], place[1] - disc.shift[1]];
         self.seek((compared, first), (place, 2.0), 0.0, Some(position)).filter(|one| one.found.score >= SCORE)
     }

@@ -131,6 +131,14 @@ fn a_spot_of_a_larger_body_that_turns_is_in_doubt_from_end_to_end() {
 }
 
 #[test]
+fn a_body_whose_look_has_gone_over_to_the_wall_is_in_doubt() {
+    // The bob turns back before a board of its own grey, at whose edge it is found for 30 frames.
+    let stage = Stage::new(Kind::Wall, 9007, 480, 240, false);
+    let outcome = outcome_of(std::iter::once((9007, stage, 9)), 110);
+    assert!(outcome.right + 15 < outcome.frames && outcome.silent == 0, "{outcome:?}");
+}
+
+#[test]
 fn a_second_body_that_was_covered_at_the_click_and_separates_at_once_is_noticed() {
     // Seed, rows, frame of the click and body. Both are out of each other's reach a frame or two later.
     for (seed, rows, first, body) in [(8001, 360, 38, 0), (8006, 360, 117, 1), (9001, 360, 52, 0)] {

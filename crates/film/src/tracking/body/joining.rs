@@ -12,6 +12,9 @@ use units::order::sort_by;
 const AGREES: f64 = 0.5;
 /// Minimum correlation of a reliable point with the template.
 const LIKE: f64 = 0.4;
+/// The updated template has drifted to something else where its correlation exceeds that of the mean of all frames by so much, less at the first and
+/// last of these points, and the latter is below this.
+const DRIFTED: ([f64; 2], f64) = ([0.2, 0.3], 0.6);
 /// Minimum correlation of a moving point that is likely, and maximum deviation of such a point from a smooth curve through others, relative to that
 /// of a reliable point.
 const LIKELY: f64 = 0.7;
@@ -50,6 +53,7 @@ pub(super) fn joined(
     let mut formal = [Vec::new(), Vec::new()];
     let (mut limits, mut widest) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
     let (mut unsure, mut likely) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
+    let mut excess = Vec::with_capacity(seen.len());
     let is_shown: Vec<bool> = evidence
         .iter()
         .enumerate()
@@ -70,6 +74,7 @@ pub(super) fn joined(
             doubtful: !one.alone || is_shown.get(one.key) == Some(&false),
         });
         unsure.push(one.agreement < AGREES || now.score < LIKE || one.aside || !one.moves);
+        excess.push(if one.updated && now.score < DRIFTED.1 { one.first.score - now.score } else { 0.0 });
         likely.push(now.score >= LIKELY && one.moves);
         let radius = templates.get(one.key).map_or(0.0, |template| template.disc.outline);
         limits.push(limit(radius));
@@ -96,10 +101,23 @@ pub(super) fn joined(
     for at in resting(&points) {
         points[at].doubtful = true;
     }
+    unsure.iter_mut().zip(drifted(&excess)).for_each(|(unsure, drifted)| *unsure |= drifted);
     settle(&mut points, (&unsure, &likely), &motion, &limits);
     let outline =
         templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
     Track { points, readout, lost, outline, ..Track::default() }
+}
+
+/// True for points at which the updated template has drifted to something else. `excess`: by how much its correlation exceeds that of the mean of all
+/// frames.
+fn drifted(excess: &[f64]) -> Vec<bool> {
+    let [edge, middle] = DRIFTED.0;
+    let runs = excess.chunk_by(|one, next| (*one > edge) == (*next > edge));
+    runs.flat_map(|run| {
+        let has_drifted = run.iter().any(|excess| *excess > middle);
+        run.iter().map(move |_| has_drifted)
+    })
+    .collect()
 }
 
 /// Settles doubts that the look leaves, by the motion of other points on both sides. `unsure`: true for points with such a doubt; `likely`: true

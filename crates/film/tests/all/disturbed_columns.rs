@@ -10,6 +10,11 @@ fn tracked(film: &Filmed, taken: &Taken, seed: u64) -> (Track, Vec<f64>) {
     let frame = (draw.next() * 0.4 * taken.planes.len() as f64) as usize;
     let [x, y] = taken.seen[frame];
     let click = Click { frame, position: [x + draw.between(-1.5, 1.5), y + draw.between(-1.5, 1.5)] };
+    tracked_from(film, taken, click)
+}
+
+/// The track of a click, and how far each point is from the truth.
+fn tracked_from(film: &Filmed, taken: &Taken, click: Click) -> (Track, Vec<f64>) {
     let tube = (film.tilt != 0.0).then_some(taken.axis);
     let mut column = Column::new(Settings { tube, ..Settings::new(click) });
     for (number, plane) in taken.planes.iter().enumerate() {
@@ -54,6 +59,23 @@ fn what_moves_besides_the_surface_or_hides_it_is_marked() {
     assert_loud("hand", &[1, 2], 0.05);
     assert_loud("reflection", &[1, 2, 3, 4], 0.02);
     assert_loud("leaves", &[1, 2], 0.4);
+}
+
+#[test]
+fn a_path_that_is_in_doubt_in_most_frames_is_in_doubt_in_all() {
+    let film = kind("leaves", 1, false);
+    let taken = film.film();
+    // The path of this click is that of the leaves in the water.
+    let [x, y] = taken.seen[105];
+    let mut draw = Draw::new(1 ^ 0xc11c);
+    let mut offset = || {
+        let frame = (draw.next() * taken.planes.len() as f64) as usize;
+        (frame, [draw.between(-2.0, 2.0), draw.between(-2.0, 2.0)])
+    };
+    let (_, [u, v]) = std::iter::repeat_with(&mut offset).find(|(frame, _)| *frame == 105).expect("a click");
+    let (track, errors) = tracked_from(&film, &taken, Click { frame: 105, position: [x + u, y + v] });
+    let wrong = track.points.iter().zip(&errors).filter(|(_, error)| error.abs() > 6.0);
+    assert!(wrong.clone().count() > 50 && wrong.clone().all(|(point, _)| point.doubtful));
 }
 
 #[test]

@@ -123,6 +123,32 @@ fn a_second_body_that_is_nowhere_in_the_frame_of_the_click_was_covered_there() {
 }
 
 #[test]
+fn a_spot_of_a_larger_body_that_turns_is_in_doubt_from_end_to_end() {
+    let stage = Stage::new(Kind::Ball, 4014, 1080, 40, true);
+    let (track, _) = followed(&stage, 0, 18..36, 4014).expect("a track");
+    assert!(track.outline.is_some_and(|outline| outline.radius < 0.3 * stage.radius), "{:?}", track.outline);
+    assert!(track.points.len() > 8 && track.points.iter().all(|point| point.doubtful));
+}
+
+#[test]
+fn a_body_whose_look_has_gone_over_to_the_wall_is_in_doubt() {
+    // The bob turns back before a board of its own grey, at whose edge it is found for 30 frames.
+    let stage = Stage::new(Kind::Wall, 9007, 480, 240, false);
+    let outcome = outcome_of(std::iter::once((9007, stage, 9)), 110);
+    assert!(outcome.right + 15 < outcome.frames && outcome.silent == 0, "{outcome:?}");
+}
+
+#[test]
+fn a_second_body_that_was_covered_at_the_click_and_separates_at_once_is_noticed() {
+    // Seed, rows, frame of the click and body. Both are out of each other's reach a frame or two later.
+    for (seed, rows, first, body) in [(8001, 360, 38, 0), (8006, 360, 117, 1), (9001, 360, 52, 0)] {
+        let stage = Stage::new(Kind::Twins, seed, rows, 240, seed % 2 == 0);
+        let (track, _) = followed(&stage, body, first..first + 24, seed + 100 * body as u64).expect("a track");
+        assert!(track.points.len() > 20 && track.points.iter().all(|point| point.doubtful), "film {seed}");
+    }
+}
+
+#[test]
 fn two_equal_bodies_that_meet_soon_after_the_click_are_told_apart() {
     // Seed, rows, frame of the click, and body: it meets the other one two, and five frames later.
     for (seed, rows, first, body) in [(6006, 120, 2, 1), (4002, 240, 14, 0)] {

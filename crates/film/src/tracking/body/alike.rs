@@ -11,7 +11,7 @@ const SOUGHT: [f64; 2] = [1.2, 4.0];
 /// Number of frames before a meeting at which a rival is sought that comes as fast as the body.
 const AHEAD: f64 = 6.0;
 /// A rival is where the agreement reaches this part of what it can reach.
-const RIVAL: f32 = 0.7;
+pub(super) const RIVAL: f32 = 0.7;
 /// A rival in the frame of a click, whose background is not known yet, is at least so much like the body.
 pub(super) const LIKE: f32 = 0.6;
 
@@ -49,12 +49,12 @@ impl Look {
         (value > least).then_some(place)
     }
 
-    /// The middle of the best agreement within a range of distances around a body, px.
+    /// The middle of the best agreement within a range of distances around a body, px; `None` if it is less than `least` of what it can reach.
     pub(super) fn rival(
         &self,
         frame: &Compared<'_>,
         (middle, radius): ([f64; 2], f64),
-        range: Range<f64>,
+        (range, least): (Range<f64>, f32),
     ) -> Option<[f64; 2]> {
         let step = (radius / 3.0).max(1.0);
         let steps = (range.end / step) as i64;
@@ -62,7 +62,7 @@ impl Look {
             square(middle, steps, step).filter(|place| range.contains(&far(*place, middle)) && frame.holds(*place));
         let agreements = places.filter_map(|place| {
             let agreement = self.at_once(frame, place)?;
-            (agreement.score >= RIVAL * agreement.best).then_some((place, agreement.score))
+            (agreement.score >= least * agreement.best).then_some((place, agreement.score))
         });
         let (place, _) = agreements.max_by(|one, other| one.1.total_cmp(&other.1))?;
         Some(self.refined(frame, place, step))

@@ -39,6 +39,8 @@ pub(super) struct Sighting {
     pub agreement: f64,
     /// True if the body was away from its predicted position, or hidden before.
     pub aside: bool,
+    /// True if the position is that of the updated template, which may drift.
+    pub updated: bool,
     /// True if nothing else touches the body.
     pub free: bool,
     /// Fraction of the body that another one covers.
@@ -59,6 +61,7 @@ impl Sighting {
             found,
             agreement: 1.0,
             aside,
+            updated: false,
             free: true,
             covered: 0.0,
             is_distinct: true,
@@ -89,10 +92,11 @@ impl Appearance {
         let place = [middle[0] - disc.shift[0], middle[1] - disc.shift[1]];
         let part = Part::around(compared.plane, place, disc.reach() + MARGIN, self.axis.as_ref())?;
         let mut found = first.align(&part, place, 2.0, beside(place));
+        let mut updated = false;
         if found.score < CLEAR {
             let now = self.now.align(&part, place, 2.0, beside(place));
             if now.score > found.score {
-                found = now;
+                (found, updated) = (now, true);
             }
         }
         let own = self.look.at(compared, disc.middle(found.position), taken);
@@ -110,6 +114,7 @@ impl Appearance {
         Some(Sighting {
             agreement: f64::from(relative),
             aside: false,
+            updated,
             free: agreement.outside < self.around + TOUCH,
             covered: agreement.covered,
             is_distinct: agreement.best > CERTAIN * (1.0 - agreement.covered),
@@ -132,15 +137,16 @@ impl Appearance {
         }
     }
 
-    /// Another body of the same look, which matches the template, at a distance (px) in the range from the body at a position.
+    /// Another body of the same look, which matches the template, at a distance (px) in the range from the body at a position, with an agreement of
+    /// at least `least` times the best possible one.
     pub(super) fn rival(
         &self,
         (compared, first): (&Compared<'_>, &Template),
         position: [f64; 2],
-        range: std::ops::Range<f64>,
+        (range, least): (std::ops::Range<f64>, f32),
     ) -> Option<Sighting> {
         let disc = first.disc;
-        let place = self.look.rival(compared, (disc.middle(position), disc.outline), range)?;
+        let place = self.look.rival(compared, (disc.middle(position), disc.outline), (range, least))?;
         let place = [place[0] - disc.shift[0], place[1] - disc.shift[1]];
         self.seek((compared, first), (place, 2.0), 0.0, Some(position)).filter(|one| one.found.score >= SCORE)
     }

@@ -1,6 +1,6 @@
 //! Search for a body, and for a second one of the same look, in the next frame.
 
-use crate::tracking::body::alike::sought;
+use crate::tracking::body::alike::{RIVAL, sought};
 use crate::tracking::body::appearance::Sighting;
 use crate::tracking::body::background::{Around, Compared};
 use crate::tracking::body::frame::Frame;
@@ -12,6 +12,12 @@ use crate::tracking::body::{Body, Tracker};
 
 /// Distance in radii below which bodies disturb one another's positions.
 const TOUCHING: f64 = 2.6;
+
+/// Number of frames after a click in which a second body is sought in the whole picture: it may have been covered at the click, and be faster
+/// than those that meet.
+const SOON: usize = 5;
+/// Its agreement is at least this part of that of the body: both may resemble the picture of a click on both equally little.
+const AS_LIKE: f32 = 0.85;
 
 /// Both bodies in a frame.
 struct Both {
@@ -74,7 +80,11 @@ impl Body {
         let (expected_place, expected_reach) = (own.course.place, own.reach());
         // After one position the motion is unknown.
         let way = if own_trail.len() > 1 { own.course.way } else { disc.outline };
-        let range = sought(disc.outline, way);
+        let is_recent = tracker.clicked.is_some() && tracker.rival.is_none() && self.seen.len() - tracker.begin <= SOON;
+        let mut range = sought(disc.outline, way);
+        if is_recent {
+            range.end = libm::hypot(plane.width() as f64, plane.height() as f64);
+        }
         let other = tracker
             .rival
             .as_ref()
@@ -83,9 +93,10 @@ impl Body {
         let mut both = tracker.both((&compared, template), own, other);
         if let Some(own) = &both.own {
             let position = own.found.position;
+            let least = if is_recent { RIVAL.min(AS_LIKE * own.agreement as f32) } else { RIVAL };
             let is_away = |other: &Sighting| far(other.found.position, position) > range.end;
             if !tracker.is_mistaken && both.other.as_ref().is_none_or(is_away) {
-                let found = tracker.appearance.rival((&compared, template), position, range.clone());
+                let found = tracker.appearance.rival((&compared, template), position, (range.clone(), least));
                 let is_known = |one: &Sighting| {
                     both.other
                         .as_ref()

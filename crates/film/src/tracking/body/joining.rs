@@ -1,9 +1,9 @@
 //! Track with errors and doubts from the sightings of a body.
 
+use crate::tracking::body::evidence::Evidence;
 use crate::tracking::body::refining::Seen;
 use crate::tracking::body::template::Template;
 use crate::tracking::errors::scaled;
-use crate::tracking::median::median;
 use crate::tracking::smooth::Motion;
 use crate::tracking::track::{Known, Outline, Point, Readout, Track};
 use units::order::sort_by;
@@ -12,6 +12,9 @@ use units::order::sort_by;
 const AGREES: f64 = 0.5;
 /// Minimum correlation of a reliable point with the template.
 const LIKE: f64 = 0.4;
+/// The updated template has drifted to something else where its correlation exceeds that of the mean of all frames by so much, less at the first and
+/// last of these points, and the latter is below this.
+const DRIFTED: ([f64; 2], f64) = ([0.2, 0.3], 0.6);
 /// Minimum correlation of a moving point that is likely, and maximum deviation of such a point from a smooth curve through others, relative to that
 /// of a reliable point.
 const LIKELY: f64 = 0.7;
@@ -26,22 +29,15 @@ const DEVIATION: f64 = 4.0;
 const REST: (usize, f64) = (6, 0.3);
 /// Displacement per frame before a rest, px, from which the rest is doubtful.
 const STOP: f64 = 2.0;
-/// Number of frames from a key frame on whose motion shows that a body was followed that was lost then.
-const SHORTEST: usize = 8;
-/// The picture of a click is not that of the body if what it leaves unexplained is so many times larger than usual, with an addition.
-const UNLIKE: (f64, f64) = (5.0, 0.02);
-/// Minimum distance of such a click from where the next frames lead, px and relative to the radius, and the number of those frames.
-const BESIDE: (f64, f64) = (5.0, 0.3);
-const BACK: usize = 4;
 /// Extent of a track without motion, px.
 const STILL: f64 = 1.0;
 
 /// Track with times and errors, ordered by time. Doubts are absolute: they depend on the size of the body and on smooth
-/// motion, not on the rest of the track, which may be wrong for the most part. `moved`: false for a template whose disc
-/// never moved as a whole; its points are doubtful. `height`: height of the picture, px.
+/// motion, not on the rest of the track, which may be wrong for the most part. Points of templates without `evidence` are
+/// doubtful. `height`: height of the picture, px.
 pub(super) fn joined(
     readout: Known,
-    (templates, moved): (&[Template], &[bool]),
+    (templates, evidence): (&[Template], &[Evidence]),
     height: f64,
     seen: &[Seen],
     lost: Option<usize>,
@@ -57,11 +53,11 @@ pub(super) fn joined(
     let mut formal = [Vec::new(), Vec::new()];
     let (mut limits, mut widest) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
     let (mut unsure, mut likely) = (Vec::with_capacity(seen.len()), Vec::with_capacity(seen.len()));
-    let is_long = |key: usize| seen.iter().filter(|one| one.key == key).count() >= SHORTEST || lost.is_none();
-    let moved: Vec<bool> = moved
+    let mut excess = Vec::with_capacity(seen.len());
+    let is_shown: Vec<bool> = evidence
         .iter()
         .enumerate()
-        .map(|(key, moved)| *moved && is_long(key) && moves_mostly(seen, key) && !begins_beside(seen, key, templates))
+        .map(|(key, evidence)| evidence.is_shown((seen, key), templates.get(key), lost.is_some()))
         .collect();
     for at in order {
         let one = &seen[at];
@@ -75,9 +71,10 @@ pub(super) fn joined(
             position: one.camera.undo(now.position),
             sigma: [0.0; 2],
             score: now.score,
-            doubtful: !one.alone || moved.get(one.key) == Some(&false),
+            doubtful: !one.alone || is_shown.get(one.key) == Some(&false),
         });
         unsure.push(one.agreement < AGREES || now.score < LIKE || one.aside || !one.moves);
+        excess.push(if one.updated && now.score < DRIFTED.1 { one.first.score - now.score } else { 0.0 });
         likely.push(now.score >= LIKELY && one.moves);
         let radius = templates.get(one.key).map_or(0.0, |template| template.disc.outline);
         limits.push(limit(radius));
@@ -104,10 +101,23 @@ pub(super) fn joined(
     for at in resting(&points) {
         points[at].doubtful = true;
     }
+    unsure.iter_mut().zip(drifted(&excess)).for_each(|(unsure, drifted)| *unsure |= drifted);
     settle(&mut points, (&unsure, &likely), &motion, &limits);
     let outline =
         templates.last().map(|template| Outline { offset: template.disc.shift, radius: template.disc.outline });
     Track { points, readout, lost, outline, ..Track::default() }
+}
+
+/// True for points at which the updated template has drifted to something else. `excess`: by how much its correlation exceeds that of the mean of all
+/// frames.
+fn drifted(excess: &[f64]) -> Vec<bool> {
+    let [edge, middle] = DRIFTED.0;
+    let runs = excess.chunk_by(|one, next| (*one > edge) == (*next > edge));
+    runs.flat_map(|run| {
+        let has_drifted = run.iter().any(|excess| *excess > middle);
+        run.iter().map(move |_| has_drifted)
+    })
+    .collect()
 }
 
 /// Settles doubts that the look leaves, by the motion of other points on both sides. `unsure`: true for points with such a doubt; `likely`: true
@@ -132,30 +142,6 @@ fn settle(points: &mut [Point], (unsure, likely): (&[bool], &[bool]), motion: &M
 /// Maximum deviation of a reliable point from its neighbours, px. `radius` in px.
 fn limit(radius: f64) -> f64 {
     ASIDE.0.max(ASIDE.1 * radius)
-}
-
-/// True if the pixels of a template rest in fewer frames than they move.
-fn moves_mostly(seen: &[Seen], key: usize) -> bool {
-    let (moves, rests): (Vec<&Seen>, Vec<&Seen>) = seen.iter().filter(|one| one.key == key).partition(|one| one.moves);
-    moves.len() >= rests.len()
-}
-
-/// True if the frame of a click looks unlike all others, and the motion in the next ones does not lead back to the click: the template of two
-/// bodies, one of which covered the other, is found beside either of them.
-fn begins_beside(seen: &[Seen], key: usize, templates: &[Template]) -> bool {
-    let of: Vec<&Seen> = seen.iter().filter(|one| one.key == key).collect();
-    let (Some(first), Some(template), true) = (of.first(), templates.get(key), of.len() >= SHORTEST) else {
-        return false;
-    };
-    let usual = median(of.iter().map(|one| one.now.score).collect());
-    let is_unlike = |one: &Seen| 1.0 - one.now.score > UNLIKE.0 * (1.0 - usual) + UNLIKE.1;
-    // Frames in which the body is disturbed as well tell nothing about the click.
-    if !is_unlike(first) || of.iter().skip(1).take(BACK).any(|one| is_unlike(one)) {
-        return false;
-    }
-    let motion = Motion::new(of.iter().map(|one| one.time).collect(), of.iter().map(|one| one.now.position).collect());
-    let off = length(motion.back(&[1, 2, 3])).min(length(motion.back(&[1, 2, 3, 4])));
-    off > BESIDE.0.max(BESIDE.1 * template.disc.outline)
 }
 
 /// True for positions that lie more than their limit (px) from where their neighbours lead, unless the body bounces there.

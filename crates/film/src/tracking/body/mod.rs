@@ -10,6 +10,7 @@ mod background;
 mod course;
 mod covering;
 mod disc;
+mod evidence;
 mod exchanges;
 mod finding;
 mod frame;
@@ -28,6 +29,7 @@ mod vacated;
 use appearance::{Appearance, Sighting};
 use background::Background;
 pub(crate) use disc::Disc;
+use evidence::Evidence;
 use moving::Moving;
 pub(crate) use part::{MARGIN, Part};
 pub(crate) use template::Template;
@@ -110,8 +112,8 @@ pub struct Body {
     /// Time of the last frame (s), and the step to it, whose sign is the direction.
     last: Option<(f64, f64)>,
     templates: Vec<Template>,
-    /// One per template: true once its disc has moved as a whole.
-    moved: Vec<bool>,
+    /// One per template.
+    evidence: Vec<Evidence>,
     tracker: Option<Tracker>,
     /// The click and the frames from there on, until the body has left its first place.
     start: Option<Start>,
@@ -130,7 +132,7 @@ impl Body {
             size: None,
             last: None,
             templates: Vec::new(),
-            moved: Vec::new(),
+            evidence: Vec::new(),
             tracker: None,
             start: None,
             seen: Vec::new(),
@@ -212,8 +214,8 @@ impl Body {
         if let Some(Template { disc, .. }) = self.templates.last() {
             tracker.moving.take(&tracker.background, (frame.plane, position), *disc, self.seen.len());
         }
-        if let Some(moved) = self.moved.last_mut() {
-            *moved |= tracker.moving.moved;
+        if let Some(evidence) = self.evidence.last_mut() {
+            evidence.moved |= tracker.moving.moved;
         }
         let moves = !tracker.moving.rests;
         if !moves {
@@ -250,7 +252,7 @@ impl Body {
             }
             if self.seen.is_empty() || refining.step(&mut self.seen) {
                 let height = self.size.map_or(1.0, |(_, height)| height as f64);
-                let templates = (self.templates.as_slice(), self.moved.as_slice());
+                let templates = (self.templates.as_slice(), self.evidence.as_slice());
                 self.track = Some(joined(self.settings.readout, templates, height, &self.seen, self.lost));
             }
         }

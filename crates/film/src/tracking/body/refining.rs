@@ -35,6 +35,8 @@ pub(crate) struct Seen {
     pub agreement: f64,
     /// True if the body was away from its predicted position, hidden before, or outside the picture.
     pub aside: bool,
+    /// True if the first position is that of the template that is updated in each frame.
+    pub updated: bool,
     /// True if no other moving object touches the body, so that its position can be used for predictions.
     pub free: bool,
     /// True if the pixels of the body's disc move with its position.
@@ -43,12 +45,14 @@ pub(crate) struct Seen {
     pub alone: bool,
     /// Vector to a body of the same look that may cover a part of this one, px.
     pub beside: Option<[f64; 2]>,
+    /// Fraction of the ring around the body that does not show the background.
+    pub outside: f32,
 }
 
 impl Seen {
     /// Body found in a frame. `key`: index of the template.
     pub(super) fn new(frame: Frame<'_>, key: usize, part: Part, one: &Sighting) -> Seen {
-        let Sighting { found, agreement, free, beside, .. } = *one;
+        let Sighting { found, agreement, updated, free, beside, outside, .. } = *one;
         let [x, y] = found.position;
         let is_inside =
             (0.0..frame.plane.width() as f64).contains(&x) && (0.0..frame.plane.height() as f64).contains(&y);
@@ -63,10 +67,12 @@ impl Seen {
             now: found,
             agreement,
             aside,
+            updated,
             free,
             moves: true,
             alone: true,
             beside,
+            outside,
         }
     }
 

@@ -5,6 +5,7 @@ use crate::tracking::body::alike::{LIKE, sought};
 use crate::tracking::body::appearance::{AGREES, Appearance, Sighting};
 use crate::tracking::body::background::Background;
 use crate::tracking::body::disc::{Disc, around};
+use crate::tracking::body::evidence::Evidence;
 use crate::tracking::body::frame::Frame;
 use crate::tracking::body::look::Look;
 use crate::tracking::body::meeting::far;
@@ -61,7 +62,7 @@ impl Body {
         let continued = sighting.filter(near);
         let position = continued.as_ref().map_or([x, y], |one| one.found.position);
         let background = self.tracker.take().filter(|_| continued.is_some()).map(|tracker| tracker.background);
-        let moved = continued.is_some() && self.moved.last() == Some(&true);
+        let moved = continued.is_some() && self.evidence.last().is_some_and(|evidence| evidence.moved);
         if continued.is_none() {
             self.start = Some(Start::new(position, (self.seen.len(), self.templates.len()), self.lost));
         }
@@ -69,8 +70,8 @@ impl Body {
             Some(Disc { outline, .. }) if refusal == Refusal::Plain => Refusal::PlainDisc { radius: outline },
             _ => refusal,
         })?;
-        if let Some(last) = self.moved.last_mut() {
-            *last = moved;
+        if let Some(evidence) = self.evidence.last_mut() {
+            evidence.moved = moved;
         }
         let begin = if continued.is_some() { self.seen.len().saturating_sub(3) } else { self.seen.len() };
         if let Some(tracker) = &mut self.tracker {
@@ -131,7 +132,8 @@ impl Body {
             is_mistaken: false,
         });
         self.templates.push(template);
-        self.moved.push(false);
+        let is_outline_certain = self.given(plane.height() as f64).is_some();
+        self.evidence.push(Evidence { moved: false, is_outline_certain });
         Ok(Found { position, ..found })
     }
 
@@ -157,12 +159,15 @@ impl Body {
             return Ok(None);
         };
         // Later key frames continue this one.
-        self.moved.iter_mut().skip(start.templates).for_each(|moved| *moved = true);
+        self.evidence.iter_mut().skip(start.templates).for_each(|evidence| evidence.moved = true);
         let is_same = |template: &Template| template.disc.difference(disc) < SAME * disc.outline;
         // What is still found at the click is not the body, which has left that place.
         let has_left = self.seen.last().is_some_and(|one| far(one.first.position, start.click) > disc.outline);
         let is_followed = has_left && self.templates.get(start.templates).is_some_and(is_same);
         if is_followed && self.tracker.as_ref().is_some_and(|tracker| tracker.hidden == 0) {
+            if let Some(evidence) = self.evidence.get_mut(start.templates) {
+                evidence.is_outline_certain = true;
+            }
             return Ok(None);
         }
         let Some(first) = start.shots.first() else { return Ok(None) };
@@ -170,12 +175,12 @@ impl Body {
         background.reveal(&planes, (disc.middle(start.click), disc.radius));
         self.seen.truncate(start.seen);
         self.templates.truncate(start.templates);
-        self.moved.truncate(start.templates);
+        self.evidence.truncate(start.templates);
         self.bytes = self.seen.iter().map(Seen::bytes).sum();
         self.lost = start.lost;
         let found = self.start(first.frame(), start.click, disc, Some(background))?;
-        if let Some(moved) = self.moved.last_mut() {
-            *moved = true;
+        if let Some(evidence) = self.evidence.last_mut() {
+            *evidence = Evidence { moved: true, is_outline_certain: true };
         }
         if let Some(tracker) = &mut self.tracker {
             tracker.begin = start.seen;

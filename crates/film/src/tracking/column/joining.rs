@@ -29,6 +29,8 @@ const BETWEEN: usize = 3;
 const HIDDEN: usize = 4;
 /// Maximum fraction of hidden frames; with more of them the film has no gaps.
 const MOST_HIDDEN: f64 = 0.5;
+/// Fraction of doubtful frames above which the path as a whole may be that of something else.
+const MOST_DOUBTFUL: f64 = 0.5;
 
 /// Track with times and errors. `height`: height of the picture, px.
 pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving): (&[Strip], &Solving)) -> Track {
@@ -98,7 +100,11 @@ pub(super) fn joined(readout: Known, line: Line, height: usize, (strips, solving
         let between = points.iter_mut().zip(&solving.certainties).take(pair[1]).skip(pair[0] + 1);
         between.for_each(|(point, certainty)| point.doubtful = !certainty.is_clear());
     }
-    let points = kept().map(|at| points[at]).collect();
+    let mut points: Vec<Point> = kept().map(|at| points[at]).collect();
+    // Something else that moves may look certain in a few frames.
+    if points.iter().filter(|point| point.doubtful).count() as f64 > MOST_DOUBTFUL * points.len() as f64 {
+        points.iter_mut().for_each(|point| point.doubtful = true);
+    }
     Track { points, exposure: solving.exposure, readout, direction: Some(line.direction), ..Track::default() }
 }
 

@@ -27,7 +27,8 @@ cargo xtask python  build the Python package, target/python/wheel, and the one f
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
                     a fifth below those of xtask/ratios.txt; `bench commit` writes that file; `bench emitted` measures
-                    emitted code alone, in a minute
+                    emitted code alone, in a minute; `bench python` builds the Python package and times its sweeps beside
+                    numba and SciPy
 ";
 
 fn main() -> ExitCode {
@@ -53,6 +54,7 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["bench"] => bench::all(false),
         ["bench", "commit"] => bench::all(true),
         ["bench", "emitted"] => bench::emitted(),
+        ["bench", "python"] => steps::step("sweeps in Python beside numba and SciPy", python::rivals),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

@@ -13,17 +13,10 @@ const LARGEST: u64 = 3_000_000;
 
 /// Builds the wheel, installs it with the packages of `requirements.txt`, and runs the tests.
 pub fn test() -> Result<()> {
-    // The wheel carries the player.
-    if !steps::player().is_file() {
-        page::build()?;
-    }
     tools::packages(&steps::root().join("tests").join("page"))?;
     pyodide::packages()?;
-    let package = steps::root().join("crates").join("python");
-    let folder = steps::target().join("python");
-    let environment = environment(&folder, &package.join("requirements.txt"))?;
-    let python = program(&environment, "python");
-    let wheel = wheel(&program(&environment, "maturin"), &package, &folder.join("wheel"))?;
+    let package = package();
+    let (python, wheel) = built("environment", &package.join("requirements.txt"))?;
     let for_browsers = pyodide::wheel(&wheel)?;
     for wheel in [&wheel, &for_browsers] {
         let size = fs::metadata(wheel)?.len();
@@ -32,8 +25,7 @@ pub fn test() -> Result<()> {
             bail!("the wheel is larger than {LARGEST} bytes");
         }
     }
-    let install = ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps"];
-    run(Command::new(&python).args(install).arg(&wheel))?;
+    install(&python, &wheel)?;
     run(&mut steps::cargo(&["build", "--package", "meniscus"]))?;
     let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
     // No file of a cache is written beside the tests.
@@ -47,19 +39,49 @@ pub fn test() -> Result<()> {
         .env(tools::CHROMIUM.variable, browser))
 }
 
+/// Builds the wheel and times sweeps beside the same runs by numba and SciPy.
+pub fn rivals() -> Result<()> {
+    let folder = package().join("benches");
+    let (python, wheel) = built("rivals", &folder.join("requirements.txt"))?;
+    install(&python, &wheel)?;
+    run(Command::new(&python).arg("-B").arg(folder.join("rivals.py")))
+}
+
+/// Folder of the package's sources.
+fn package() -> PathBuf {
+    steps::root().join("crates").join("python")
+}
+
+/// Builds the wheel with the maturin of an environment. Returns the environment's Python and the wheel.
+fn built(environment: &str, requirements: &Path) -> Result<(PathBuf, PathBuf)> {
+    // The wheel carries the player.
+    if !steps::player().is_file() {
+        page::build()?;
+    }
+    let folder = steps::target().join("python");
+    let environment = self::environment(&folder.join(environment), requirements)?;
+    let wheel = wheel(&program(&environment, "maturin"), &package(), &folder.join("wheel"))?;
+    Ok((program(&environment, "python"), wheel))
+}
+
+/// Installs a wheel, whatever is installed of it.
+fn install(python: &Path, wheel: &Path) -> Result<()> {
+    let install = ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps"];
+    run(Command::new(python).args(install).arg(wheel))
+}
+
 /// An environment with exactly these packages. One from the same list is used again.
-fn environment(folder: &Path, requirements: &Path) -> Result<PathBuf> {
-    let environment = folder.join("environment");
+fn environment(environment: &Path, requirements: &Path) -> Result<PathBuf> {
     let list = fs::read_to_string(requirements).with_context(|| format!("cannot read {}", requirements.display()))?;
     let stamp = environment.join("installed-from");
     if fs::read_to_string(&stamp).is_ok_and(|installed| installed == list) {
-        return Ok(environment);
+        return Ok(environment.to_owned());
     }
-    run(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(&environment))?;
+    run(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(environment))?;
     let install = ["-m", "pip", "install", "--quiet", "--requirement"];
-    run(Command::new(program(&environment, "python")).args(install).arg(requirements))?;
+    run(Command::new(program(environment, "python")).args(install).arg(requirements))?;
     fs::write(&stamp, list)?;
-    Ok(environment)
+    Ok(environment.to_owned())
 }
 
 /// A program of an environment.

@@ -299,6 +299,15 @@ mod tests {
         assert_eq!(beside(&[1.0, 2.0, 4.0]), [1.0, 2.5, 1.0]);
     }
 
+    /// n (1 - rho)/(1 + rho); anticorrelation adds none.
+    #[test]
+    fn independent_values_of_a_series() {
+        for (rho, expected) in [(0.5, 20.0), (0.2, 40.0), (-0.5, 60.0)] {
+            let errors = Errors { count: 60, rho, variance: 1.0 };
+            assert!((errors.independent() - expected).abs() < 1e-12, "{rho}: {}", errors.independent());
+        }
+    }
+
     /// The mean of n values: rho = 0 gives the usual variance over n.
     #[test]
     fn alternating_values_about_a_mean() {

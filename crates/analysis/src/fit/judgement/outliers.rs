@@ -243,6 +243,9 @@ mod tests {
             for row in 0..8 {
                 assert!((residuals[row] - expected[row]).abs() < 1e-12, "{row} without {place}: {}", residuals[row]);
                 assert!((removal.leverage[row] - leverage[row]).abs() < 1e-12, "leverage of {row} without {place}");
+                // A value that took part is nearer to the line than its own error, one that did not is farther away.
+                let part = if removal.removed[row] { 1.0 + leverage[row] } else { 1.0 - leverage[row] };
+                assert!((removal.spread(row) - part.sqrt()).abs() < 1e-12, "spread of {row} without {place}");
             }
         }
     }

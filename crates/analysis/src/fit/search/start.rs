@@ -314,3 +314,28 @@ fn radical_inverse(mut index: usize, base: usize) -> f64 {
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first points of the sequence in the bases 2 and 3 are 1/2, 1/4, 3/4 and 1/3, 2/3, 1/9.
+    #[test]
+    fn starts_are_spread_over_ranges_of_all_kinds() {
+        let near = |found: Vec<f64>, expected: [f64; 2]| {
+            let pairs = found.iter().zip(expected);
+            pairs.for_each(|(found, expected)| {
+                assert!((found / expected - 1.0).abs() < 1e-12, "{found} for {expected}")
+            });
+        };
+        // A range up to 20 times its lower end, and a wider one.
+        let bounds = [(2.0, 6.0), (1.0, 1000.0)];
+        near(spread(&[0.0, 0.0], &bounds, 0), [4.0, 10.0]);
+        near(spread(&[0.0, 0.0], &bounds, 1), [3.0, 100.0]);
+        near(spread(&[0.0, 0.0], &bounds, 2), [5.0, 1000.0_f64.powf(1.0 / 9.0)]);
+        // One that reaches below 0, and none.
+        let bounds = [(-6.0, 6.0), (f64::NEG_INFINITY, f64::INFINITY)];
+        near(spread(&[0.0, 7.0], &bounds, 1), [-3.0, 7.0 * 300.0_f64.powf(1.0 / 3.0)]);
+        near(spread(&[0.0, 0.0], &bounds, 2), [3.0, 5.0_f64.powf(2.0 / 9.0 - 1.0)]);
+    }
+}

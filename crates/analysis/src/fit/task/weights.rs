@@ -92,3 +92,29 @@ fn by_observation(plans: &[Plan], measure: impl Fn(&Plan, usize) -> f64) -> Vec<
         .map(|plan| (0..plan.expressions.len()).map(|observation| measure(plan, observation)).collect())
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::task::plan::Point;
+
+    /// Root mean squares about the mean; equal values have none, so their magnitude is used.
+    #[test]
+    fn spread_of_uneven_and_equal_values() {
+        let point = |(row, (observation, value))| Point {
+            row,
+            observation,
+            value,
+            weight: 1.0,
+            trust: 1.0,
+            share: 1.0,
+            measured: true,
+        };
+        let values = [(0, 1.0), (1, -2.0), (0, 2.0), (1, -2.0), (0, 6.0), (1, -2.0)];
+        let points = values.into_iter().enumerate().map(point).collect();
+        let plan = Plan { points, expressions: vec![0, 1], ..Plan::default() };
+        let found = spread(&[plan]);
+        assert!((found[0][0] - (14.0_f64 / 3.0).sqrt()).abs() < 1e-14, "{found:?}");
+        assert_eq!(found[0][1], 2.0);
+    }
+}

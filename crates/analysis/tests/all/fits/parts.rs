@@ -74,7 +74,12 @@ fn initial_values_hold_where_the_fitted_part_begins() {
     let middle = fitted(&model, middle);
     let after = film.0.iter().filter(|time| **time > 4.0).count();
     assert_eq!(middle.observations[0].outside.unwrap().n, after);
-    assert!(middle.predicted().unwrap() < 3e-3);
+    let one = &middle.observations[0];
+    let later = (0..one.times.len()).filter(|&row| one.times[row] > 4.0);
+    let square =
+        later.map(|row| (one.measured[row] - one.fitted[row]) * (one.measured[row] - one.fitted[row])).sum::<f64>();
+    let predicted = middle.predicted().unwrap();
+    assert!(predicted < 3e-3 && (predicted / (square / after as f64).sqrt() - 1.0).abs() < 1e-12, "{predicted}");
 }
 
 #[test]

@@ -295,3 +295,35 @@ fn product(a: &[f64], b: &[f64], size: usize) -> Vec<f64> {
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two numbers and two series, written out; see the formula at [`Covariance::freedom`].
+    #[test]
+    fn degrees_of_freedom_variances_and_random_walks() {
+        let series = |rho| Errors { count: 20, rho, variance: 1.0 };
+        let covariance = |doubt: Vec<Vec<f64>>, rho| Covariance {
+            textbook: Vec::new(),
+            hac: vec![9.0, 0.0, 0.0, 1.0],
+            autoregressive: vec![4.0, 1.0, 1.0, 2.0],
+            doubt,
+            errors: vec![series(0.5), series(rho)],
+            flat: Vec::new(),
+            dof: 10.0,
+            basis: Vec::new(),
+            lengths: vec![1.0; 2],
+        };
+        let of_first = |value| vec![value, 0.0, 0.0, 0.0];
+        let sure = covariance(vec![of_first(0.0), of_first(0.0)], 0.98);
+        let unsure = covariance(vec![of_first(2.0), of_first(1.0)], MOST);
+        assert_eq!((sure.freedom(&[1.0, 0.0]), sure.freedom(&[0.0, 1.0])), (10.0, 10.0));
+        assert!((unsure.freedom(&[1.0, 0.0]) - 2.0 / (2.0 / 10.0 + 5.0 / 16.0)).abs() < 1e-12);
+        assert_eq!(unsure.freedom(&[0.0, 1.0]), 10.0);
+        // The greater one of both variances: that of the scores for the first number, that of the process for the second.
+        assert_eq!((sure.robust(&[1.0, 0.0]), sure.robust(&[0.0, 1.0])), (9.0, 2.0));
+        assert_eq!((sure.wanders(), unsure.wanders()), (false, true));
+        assert!((sure.independent() - 20.0 * (0.5 / 1.5 + 0.02 / 1.98)).abs() < 1e-12);
+    }
+}

@@ -217,6 +217,8 @@ fn criteria_and_intervals_of_a_line_are_those_of_textbooks() {
         }
         let found = outcome.estimate("s").unwrap();
         let (low, high) = found.interval().unwrap();
+        // Student's t of 28 degrees of freedom, and of fewer because the correlation of the errors is not known.
+        assert!((2.0484..2.15).contains(&found.coverage_factor()), "{}", found.coverage_factor());
         let reach = found.coverage_factor() * found.stderr_hac.unwrap();
         assert!((low - (slope - reach)).abs() < 1e-9 && (high - (slope + reach)).abs() < 1e-9, "{low} {high}");
     }
@@ -324,6 +326,20 @@ fn neighbours_of_opposite_signs_are_not_random() {
         .collect();
     let random = verdicts.iter().filter(|verdict| **verdict == Verdict::Compatible).count();
     assert!(random >= 97, "{random} of 100: {verdicts:?}");
+}
+
+/// A record is short if it has few independent values: 40 with slow noise, but neither 400 of them nor 40 random ones.
+#[test]
+fn few_independent_values_are_a_short_record() {
+    let line = model(LINE);
+    let mut noise = Noise::new(45);
+    for (count, rho, expected) in [(40, 0.9, true), (400, 0.7, false), (40, 0.0, false)] {
+        let times = frames(count);
+        let mut is_short =
+            || fit(&line, &["a", "s"], &times, &noisy(&times, &mut noise, rho, |time| 2.0 - 0.3 * time)).is_short();
+        let short = (0..20).filter(|_| is_short()).count();
+        assert!(if expected { short >= 17 } else { short <= 3 }, "{count} {rho}: {short} of 20");
+    }
 }
 
 /// Wrong given errors are part of the verdict, however few values there are.

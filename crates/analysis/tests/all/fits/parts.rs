@@ -197,3 +197,34 @@ fn what_draws_at_random_is_refused() {
     let refused = Fit::new(&model, task(&model, record(vec![one]), &["a"])).map(|_| ()).unwrap_err();
     assert!(refused.to_string().contains("draws at random"), "{refused}");
 }
+
+/// A stone falls from rest at a moment that is not known: h - g (t - t_0)^2/2 after t_0, h before. Value and standard error of t_0 are those
+/// of linear least squares with the derivatives written by hand.
+#[test]
+fn a_moment_of_release_is_found_with_its_error() {
+    let model = model("parameter g = 7 [m/s^2]\nparameter h = 1 [m]\ny'' = -g\ny(0) = h\ny'(0) = 0 [m/s]");
+    let (g, h, t_0, sigma) = (9.8, 1.2, 0.4137, 1e-3);
+    let times: Vec<f64> = (0..60).map(|row| f64::from(row) / 60.0).collect();
+    let since = |time: f64| (time - t_0).max(0.0);
+    let mut noise = Noise::new(12);
+    let values: Vec<f64> =
+        times.iter().map(|&time| h - 0.5 * g * since(time) * since(time) + sigma * noise.normal()).collect();
+    let mut task = task(&model, record(vec![observation(&model, "y", 0, &times, &values)]), &["g", "h"]);
+    task.varied.push(Varied { target: Target::Origin, shared: false, start: Some(0.3), bounds: None });
+    let outcome = fitted(&model, task);
+    let found = outcome.estimate("t_origin").unwrap();
+    // Normal matrix of g, h and t_0, and the last entry of its inverse.
+    let mut normal = [[0.0; 3]; 3];
+    for &time in &times {
+        let slopes = [-0.5 * since(time) * since(time), 1.0, g * since(time)];
+        for (row, one) in normal.iter_mut().zip(slopes) {
+            row.iter_mut().zip(slopes).for_each(|(sum, other)| *sum += one * other);
+        }
+    }
+    let [[a, b, c], [_, d, e], [_, _, f]] = normal;
+    let determinant = a * (d * f - e * e) - b * (b * f - c * e) + c * (b * e - c * d);
+    let expected = outcome.rmse * (60.0_f64 / 57.0).sqrt() * ((a * d - b * b) / determinant).sqrt();
+    let stderr = found.stderr.unwrap();
+    assert!((stderr / expected - 1.0).abs() < 0.02, "{stderr} for {expected}");
+    assert!((found.value - t_0).abs() < 3.0 * expected, "{} +- {expected}", found.value);
+}

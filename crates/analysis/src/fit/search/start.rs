@@ -332,10 +332,10 @@ mod tests {
         let bounds = [(2.0, 6.0), (1.0, 1000.0)];
         near(spread(&[0.0, 0.0], &bounds, 0), [4.0, 10.0]);
         near(spread(&[0.0, 0.0], &bounds, 1), [3.0, 100.0]);
-        near(spread(&[0.0, 0.0], &bounds, 2), [5.0, 1000.0_f64.powf(1.0 / 9.0)]);
+        near(spread(&[0.0, 0.0], &bounds, 2), [5.0, libm::pow(1000.0, 1.0 / 9.0)]);
         // One that reaches below 0, and none.
         let bounds = [(-6.0, 6.0), (f64::NEG_INFINITY, f64::INFINITY)];
-        near(spread(&[0.0, 7.0], &bounds, 1), [-3.0, 7.0 * 300.0_f64.powf(1.0 / 3.0)]);
-        near(spread(&[0.0, 0.0], &bounds, 2), [3.0, 5.0_f64.powf(2.0 / 9.0 - 1.0)]);
+        near(spread(&[0.0, 7.0], &bounds, 1), [-3.0, 7.0 * libm::pow(300.0, 1.0 / 3.0)]);
+        near(spread(&[0.0, 0.0], &bounds, 2), [3.0, libm::pow(5.0, 2.0 / 9.0 - 1.0)]);
     }
 }

@@ -57,7 +57,7 @@ impl Model {
         moving(&mut self.graph, nodes, &rates)
     }
 
-    /// What the initial value and the rate of each state depend on.
+    /// Dependences of the initial value and of the rate of each state.
     fn inputs(&self) -> Vec<[Dependence; 2]> {
         self.states.iter().map(|state| [state.initial, state.derivative].map(|node| self.depends(node))).collect()
     }

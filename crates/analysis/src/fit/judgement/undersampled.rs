@@ -54,8 +54,7 @@ fn is_undersampled(problem: &mut Problem, (record, plan): (usize, &Plan), best: 
 /// Values of the model at ascending `times` for the first observation of a record, then for the second, and so on: exact to a small
 /// part of what is [`VISIBLE`], and without offsets and film scales, which change no turning point.
 fn curves(problem: &mut Problem, (record, plan): (usize, &Plan), x: &[f64], times: &[f64]) -> Vec<f64> {
-    let (origin, earliest) = (problem.origin(record, plan, x), problem.earliest());
-    let times: Vec<f64> = times.iter().map(|time| (time - origin).max(earliest)).collect();
+    let times: Vec<f64> = problem.times(times, problem.origin(record, plan, x)).collect();
     let nodes: Vec<NodeId> = plan.expressions.iter().map(|&number| problem.layout.expressions[number]).collect();
     let mut routine = Routine::compile(&problem.model, &nodes);
     let parameters = problem.parameters(record, x);

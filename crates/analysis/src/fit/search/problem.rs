@@ -209,18 +209,18 @@ impl Problem {
 
     /// Parameters and times of the solution for a record.
     fn sought(&self, (record, plan): (usize, &Plan), x: &[f64]) -> Sought {
-        let times = self.times(plan, self.origin(record, plan, x)).collect();
+        let times = self.times(&plan.times, self.origin(record, plan, x)).collect();
         Sought { parameters: self.parameters(record, x), times }
     }
 
-    /// Times of the rows of a record from its origin on, SI.
-    fn times<'p>(&self, plan: &'p Plan, origin: f64) -> impl Iterator<Item = f64> + use<'p> {
+    /// Readings of the clock as times of the model, whose 0 is at `origin`, SI.
+    pub fn times<'p>(&self, times: &'p [f64], origin: f64) -> impl Iterator<Item = f64> + use<'p> {
         let earliest = self.earliest();
-        plan.times.iter().map(move |time| (time - origin).max(earliest))
+        times.iter().map(move |time| (time - origin).max(earliest))
     }
 
     /// First time at which the curve is known, SI. With a varied origin, the system is at rest before it.
-    pub fn earliest(&self) -> f64 {
+    fn earliest(&self) -> f64 {
         if self.curve.has_states() { 0.0 } else { f64::NEG_INFINITY }
     }
 
@@ -294,7 +294,7 @@ impl Problem {
         let stride = self.curve.stride();
         let parameters = self.parameters(record, x);
         let origin = self.origin(record, plan, x);
-        let (times, earliest) = (self.times(plan, origin), self.earliest());
+        let (times, earliest) = (self.times(&plan.times, origin), self.earliest());
         self.clock.clear();
         self.clock.extend(times);
         let rows = self.clock.len();

@@ -151,6 +151,20 @@ lesson("two tabs of a seat add to one outbox at the same moment: both parts are 
   assert.deepEqual((await answers(one, server)).toSorted(), ["0.71", "1.5"]);
 }, ["simulations/utube.md", "simulations/pendulum.md"]);
 
+lesson("what a tab could not hand in, another tab of the seat does: no tab goes on to say that the class cannot be reached", async (server) => {
+  const one = await visitor();
+  await join(one, server.code, `${server.base}${DOCUMENT}`);
+  await status(one, /^(Nothing|Everything) is handed in/);
+  // The stream of this tab goes on, so that nothing else tells it.
+  await one.route("**/api/events", (route) => route.abort());
+  await answer(one, "0.81");
+  await status(one, /not handed in yet.*cannot be reached/);
+  const other = await one.context().newPage();
+  await other.goto(`${server.base}${DOCUMENT}`);
+  for (const tab of [other, one]) await status(tab, /^Everything is handed in/);
+  assert.deepEqual(await answers(one, server), ["0.81"]);
+});
+
 lesson("the teacher's computer sleeps while students go on; when it wakes, the dashboard shows all without a reload", async (server, proxy) => {
   const between = await proxy();
   const teacher = await visitor();

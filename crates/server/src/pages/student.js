@@ -48,7 +48,8 @@
   const send = async () => {
     clearTimeout(timer);
     const waiting = storage.waiting();
-    if (sending || !seat || !waiting.length) return;
+    if (sending || !seat) return;
+    if (!waiting.length) return problem === "unreachable" || problem === "store" ? again() : undefined;
     sending = true;
     let size = 0;
     const batch = waiting.filter((one, at) => (size += one.value.length) < LARGEST || at === 0);
@@ -78,6 +79,18 @@
     }
     sending = false;
     show();
+  };
+  // Nothing waits any more, since another tab of the seat has handed it in: asks for the state, and so whether the class is reached.
+  const again = async () => {
+    sending = true;
+    try {
+      const response = await ask("/api/state", { token: seat.token });
+      sending = false;
+      if (response.ok) take(await response.text()); else later();
+    } catch {
+      sending = false;
+      later();
+    }
   };
   addEventListener("online", () => { pause = FIRST; send(); });
 
@@ -143,7 +156,7 @@
   const take = (text) => {
     state = JSON.parse(text);
     offset = state.now - Date.now();
-    const isOver = problem === "unreachable" || (["closed", "approval"].includes(problem) && state.accepts && state.approved);
+    const isOver = problem === "unreachable" || (problem === "store" && !storage.keys("waiting:").length) || (["closed", "approval"].includes(problem) && state.accepts && state.approved);
     if (isOver) { problem = ""; pause = FIRST; send(); }
     show();
   };

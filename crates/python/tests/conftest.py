@@ -32,3 +32,12 @@ def program(tmp_path):
         return head, rows
 
     return table
+
+
+@pytest.fixture(scope="session")
+def pyodide_wheel():
+    """The wheel for Pyodide."""
+    path = os.environ.get("PYODIDE_WHEEL")
+    if path is None:
+        pytest.fail("PYODIDE_WHEEL names no wheel; `cargo xtask python` builds it")
+    return path

@@ -28,8 +28,9 @@ const MOST_ROUNDS: u64 = 1024;
 /// again alone, for which the caller can divide the work.
 const MOST_WORK: u64 = 1_000_000;
 
-/// Number of stops for each run after which runs that stop at more than half of their rows fail: alone they are faster.
-const MANY_STOPS: u64 = 16;
+/// Number of stops for each run after which runs that stop at more than half of their rows fail: alone they are faster. Few, since what
+/// they have computed is computed again.
+const MANY_STOPS: u64 = 4;
 
 /// Runs of one model in compiled code.
 #[derive(Debug)]

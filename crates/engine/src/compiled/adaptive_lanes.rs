@@ -30,7 +30,7 @@ const MOST_WORK: u64 = 1_000_000;
 
 /// Number of stops for each run after which runs that stop at more than half of their rows fail: alone they are faster. Few, since what
 /// they have computed is computed again.
-const MANY_STOPS: u64 = 4;
+const MANY_STOPS: u64 = 2;
 
 /// Runs of one model in compiled code.
 #[derive(Debug)]

@@ -1,9 +1,10 @@
 //! The loops over steps and rows.
 
 use crate::alone::{Alone, Taking};
-use crate::checks::{Interval, passed};
+use crate::checks::Interval;
 use crate::ensemble::{Ensemble, Method};
-use crate::grid::{Block, Grid, WIDTH};
+use crate::grid::{Grid, WIDTH};
+use crate::intervals::Intervals;
 use engine::{Reached, RunError, Stepper};
 
 /// Receiver of rows: index of the run, time (SI units), what is read.
@@ -14,19 +15,6 @@ const UNSEEN: u64 = 64;
 
 /// Number of steps between two rows after which a lane leaves: the engine stops a run that makes too many.
 const MANY_STEPS: usize = Stepper::STEP_LIMIT / 2;
-
-/// Intervals of the lanes.
-struct Intervals {
-    /// Times reached, and times of the ends.
-    from: Grid,
-    to: Grid,
-    /// States there.
-    present: Grid,
-    next: Grid,
-    /// 1 for lanes that have an interval, and for those whose checks fail.
-    ready: Vec<Block>,
-    failed: Vec<Block>,
-}
 
 impl Ensemble {
     /// Makes all steps of a fixed-step method.
@@ -59,7 +47,7 @@ impl Ensemble {
                     self.lanes.running = running;
                 }
                 if next == taken {
-                    (0..blocks * WIDTH).for_each(|lane| self.keep(lane, time, &states));
+                    (0..blocks * WIDTH).for_each(|lane| self.lanes.keep(lane, time, &states));
                 }
                 let Self { method: Method::Fixed(fixed), .. } = self else { return };
                 fixed.states = states;
@@ -78,8 +66,9 @@ impl Ensemble {
             let read = self.grid.at(read);
             let mut reached = (0.0, initial.clone());
             let mut result = Ok(());
+            let mut row = self.lanes.last_row(lane);
             for _ in 0..self.grid.all {
-                let last = &mut self.lanes.last[lane];
+                let last = &mut row;
                 let mut take = |time: f64, values: &[f64]| {
                     if time > read {
                         take(lane, time, values)
@@ -96,6 +85,7 @@ impl Ensemble {
                     }
                 }
             }
+            self.lanes.set_last_row(lane, &row);
             self.lanes.end(lane, result);
         }
     }
@@ -103,24 +93,16 @@ impl Ensemble {
     /// Makes all steps of the Dormand-Prince method.
     pub(crate) fn advance_adaptive(&mut self, alone: &mut Alone, take: Take) {
         let Self { method: Method::Adaptive(steps, checks), rates, lanes, .. } = self else { return };
-        let states = lanes.initial.rows();
-        let blocks = lanes.blocks;
         match checks {
             Some(checks) => checks.begin(rates, &lanes.parameters, &lanes.initial),
             None => rates.prepare(&lanes.parameters, &lanes.initial),
         }
         steps.begin(&lanes.initial);
         let checked = checks.is_some();
-        let mut intervals = Intervals {
-            from: Grid::new(1, blocks),
-            to: Grid::new(1, blocks),
-            present: lanes.initial.clone(),
-            next: Grid::new(states, blocks),
-            ready: vec![Block::of(0.0); blocks],
-            failed: vec![Block::of(0.0); blocks],
-        };
+        let mut intervals = std::mem::take(&mut self.intervals);
+        intervals.begin(&lanes.initial);
         let unread = self.readings.is_empty() && !checked;
-        let mut stalled = vec![false; blocks * WIDTH];
+        let mut stalled = vec![false; lanes.running.len()];
         while self.lanes.running.contains(&true) {
             let Self { method: Method::Adaptive(steps, _), rates, lanes, .. } = self else { return };
             stalled.fill(false);
@@ -138,6 +120,7 @@ impl Ensemble {
                 self.advance_rows(alone, &mut intervals, checked, take);
             }
         }
+        self.intervals = intervals;
     }
 
     /// Counts the rows within the last steps, of which only the last one is wanted.
@@ -149,21 +132,19 @@ impl Ensemble {
             }
             lanes.steps[lane] += 1;
             let end = steps.end(lane);
-            let mut target = grid.at(lanes.index[lane] + 1);
-            while target <= end {
-                lanes.index[lane] += 1;
-                lanes.steps[lane] = usize::from(end > target);
-                if lanes.index[lane] == grid.taken {
-                    let last = &mut lanes.last[lane];
-                    last.time = target;
-                    last.state.resize(steps.to.rows(), 0.0);
-                    steps.state_at(lane, target, &mut last.state);
-                }
-                if lanes.index[lane] == grid.all {
-                    lanes.end(lane, Ok(()));
-                    break;
-                }
-                target = grid.at(lanes.index[lane] + 1);
+            let reached = grid.reached(lanes.index[lane], end);
+            if reached == lanes.index[lane] {
+                continue;
+            }
+            if (lanes.index[lane] + 1..=reached).contains(&grid.taken) {
+                let time = grid.at(grid.taken);
+                lanes.last_time.set(0, lane, time);
+                (0..steps.to.rows()).for_each(|state| lanes.last.set(state, lane, steps.state_at(lane, time, state)));
+            }
+            lanes.index[lane] = reached;
+            lanes.steps[lane] = usize::from(end > grid.at(reached));
+            if reached == grid.all {
+                lanes.end(lane, Ok(()));
             }
         }
     }
@@ -235,7 +216,7 @@ impl Ensemble {
             lanes.index[lane] += 1;
             lanes.steps[lane] = usize::from(!checked && end > to);
             if lanes.index[lane] == grid.taken {
-                self.keep(lane, to, &intervals.next);
+                self.lanes.keep(lane, to, &intervals.next);
             }
             if self.lanes.index[lane] == self.grid.all {
                 self.finish(alone, lane, intervals, checked, take);
@@ -256,8 +237,10 @@ impl Ensemble {
         let (time, made) = (time.unwrap_or(last.end), lanes.steps[lane]);
         let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: made };
         let mut take = |time: f64, values: &[f64]| take(lane, time, values);
-        let taking = Taking { until: grid.last, last: &mut lanes.last[lane], take: &mut take };
+        let mut row = lanes.last_row(lane);
+        let taking = Taking { until: grid.last, last: &mut row, take: &mut take };
         let outcome = alone.go_on([&parameters, &initial], &reached, taking);
+        lanes.set_last_row(lane, &row);
         let stepper = match outcome {
             Ok(Some(stepper)) => stepper,
             Ok(None) => return lanes.end(lane, Ok(())),
@@ -295,34 +278,10 @@ impl Ensemble {
         let armed = checks.as_ref().map(|checks| checks.armed(lane)).unwrap_or_default();
         let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: 0 };
         let mut take = |time: f64, values: &[f64]| take(lane, time, values);
-        let taking = Taking { until: grid.last, last: &mut lanes.last[lane], take: &mut take };
+        let mut row = lanes.last_row(lane);
+        let taking = Taking { until: grid.last, last: &mut row, take: &mut take };
         let result: Result<(), RunError> = alone.finish([&parameters, &initial], &reached, grid.until, taking);
+        lanes.set_last_row(lane, &row);
         lanes.end(lane, result);
-    }
-}
-
-impl Intervals {
-    /// True if a lane has an interval in which nothing can have happened.
-    #[inline(always)]
-    fn passed(&self, lane: usize) -> bool {
-        let number = |blocks: &[Block]| blocks[lane / WIDTH].0[lane % WIDTH];
-        number(&self.ready) != 0.0 && number(&self.failed) == 0.0
-    }
-
-    /// Moves the lanes that have passed to the ends of their intervals.
-    fn accept(&mut self) {
-        let passed = passed(&self.ready, &self.failed);
-        for row in 0..self.present.rows() {
-            let (present, next) = (self.present.row_mut(row), self.next.row(row));
-            for ((present, next), passed) in present.iter_mut().zip(next).zip(&passed) {
-                let (before, next) = (*present, *next);
-                *present = Block::each(|lane| if passed.0[lane] != 0.0 { next.0[lane] } else { before.0[lane] });
-            }
-        }
-        for lane in 0..self.ready.len() * WIDTH {
-            if self.passed(lane) {
-                self.from.set(0, lane, self.to.get(0, lane));
-            }
-        }
     }
 }

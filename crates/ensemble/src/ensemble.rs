@@ -3,8 +3,11 @@
 use crate::alone::{Alone, LastRow};
 use crate::body::Body;
 use crate::checks::Checks;
+use crate::ends::Ends;
 use crate::fixed::Fixed;
 use crate::grid::{Grid, WIDTH};
+use crate::intervals::Intervals;
+use crate::lanes::Lanes;
 use crate::reason::NoLanes;
 use crate::steps::Steps;
 use crate::width::{Features, Width};
@@ -25,11 +28,13 @@ pub struct Ensemble {
     pub(crate) rates: Body,
     pub(crate) readings: Body,
     initial: Body,
+    pub(crate) ends: Ends,
     /// The state to start from, if it is not that of the model.
     start: Option<Vec<f64>>,
     pub(crate) grid: Times,
     pub(crate) width: Width,
     pub(crate) lanes: Lanes,
+    pub(crate) intervals: Intervals,
     /// Number of steps attempted in the last runs, each in all lanes.
     pub(crate) attempts: u64,
 }
@@ -64,43 +69,19 @@ impl Times {
     /// Time of a row, SI units.
     #[inline(always)]
     pub fn at(&self, index: u64) -> f64 {
-        index as f64 * self.step
-    }
-}
-
-/// What is known of each lane.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Lanes {
-    /// Number of blocks for which there is room.
-    pub blocks: usize,
-    /// Parameters and initial values, one row for each.
-    pub parameters: Grid,
-    pub initial: Grid,
-    /// True while a lane is computed.
-    pub running: Vec<bool>,
-    /// Index of the last row reached.
-    pub index: Vec<u64>,
-    /// Number of steps since that row.
-    pub steps: Vec<usize>,
-    pub last: Vec<LastRow>,
-    pub errors: Vec<Option<RunError>>,
-    pub values: Vec<f64>,
-}
-
-impl Lanes {
-    /// Parameters and initial values of a lane.
-    pub fn begun(&self, lane: usize) -> [Vec<f64>; 2] {
-        [&self.parameters, &self.initial].map(|grid| {
-            let mut values = vec![0.0; grid.rows()];
-            grid.lane(lane, &mut values);
-            values
-        })
+        // Processors convert signed integers faster.
+        index as i64 as f64 * self.step
     }
 
-    /// Ends a lane.
-    pub fn end(&mut self, lane: usize, result: Result<(), RunError>) {
-        self.running[lane] = false;
-        self.errors[lane] = result.err();
+    /// Index of the last row at or before a time, SI units, at least `index` and at most that of the last row that is computed.
+    #[inline(always)]
+    pub fn reached(&self, index: u64, time: f64) -> u64 {
+        // The quotient is rounded: it may be one row too far, or one too near.
+        let mut reached = ((time / self.step) as i64 as u64 + 1).min(self.all);
+        while reached > index && self.at(reached) > time {
+            reached -= 1;
+        }
+        reached.max(index)
     }
 }
 
@@ -147,10 +128,12 @@ impl Ensemble {
             rates,
             readings: routine(readings).ok_or(system.clone())?,
             initial: routine(&initial).ok_or(system)?,
+            ends: Ends::default(),
             start: setup.start.clone(),
             grid: Times::new(setup.step, until),
             width: Width::default(),
             lanes: Lanes::default(),
+            intervals: Intervals::default(),
             attempts: 0,
         };
         Ok(ensemble)
@@ -181,36 +164,38 @@ impl Ensemble {
         parameters: &[Vec<f64>],
         take: &mut dyn FnMut(usize, f64, &[f64]),
     ) -> Vec<Result<Ended, RunError>> {
-        self.compute(alone, parameters, take);
-        let end = |lane: usize| {
-            let mut initial = Vec::new();
-            let last = self.end(lane, &mut initial)?.clone();
-            Ok(Ended { last, initial })
+        self.prepare(parameters.len(), parameters.first().map_or(&[], Vec::as_slice));
+        for (run, parameters) in parameters.iter().enumerate() {
+            self.lanes.parameters.set_lane(run, parameters);
+        }
+        self.compute(alone, take);
+        let end = |run: usize| match self.error(run) {
+            Some(error) => Err(error.clone()),
+            None => Ok(Ended { last: self.lanes.last_row(run), initial: self.lanes.initial.list(run) }),
         };
         (0..parameters.len()).map(end).collect()
     }
 
-    /// [`Ensemble::run`], after which [`Ensemble::end`] gives the ends.
-    pub fn compute(&mut self, alone: &mut Alone, parameters: &[Vec<f64>], take: &mut dyn FnMut(usize, f64, &[f64])) {
+    /// Prepares so many runs, at most [`Ensemble::lanes`], all with these parameters: one value per parameter, SI units.
+    pub fn prepare(&mut self, runs: usize, parameters: &[f64]) {
+        self.resize(parameters.len(), self.rates.states().len(), runs.div_ceil(WIDTH));
+        self.lanes.runs = runs;
+        parameters.iter().enumerate().for_each(|(row, &value)| self.lanes.parameters.fill(row, value));
+    }
+
+    /// Sets a parameter of a prepared run, SI units.
+    pub fn set_parameter(&mut self, run: usize, parameter: usize, value: f64) {
+        self.lanes.parameters.set(parameter, run, value);
+    }
+
+    /// Makes the prepared runs; `alone` and `take` as in [`Ensemble::run`].
+    pub fn compute(&mut self, alone: &mut Alone, take: &mut dyn FnMut(usize, f64, &[f64])) {
         self.attempts = 0;
-        self.begin(alone, parameters, take);
+        self.begin(alone, take);
         match self.method {
             Method::Fixed(_) => self.advance_fixed(alone, take),
             Method::Adaptive(..) => self.advance_adaptive(alone, take),
         }
-    }
-
-    /// The last row of a run at or before its end. `initial` becomes its initial values, one per state, SI units.
-    ///
-    /// # Errors
-    /// The error of the run. An event that ends it is none.
-    pub fn end(&self, lane: usize, initial: &mut Vec<f64>) -> Result<&LastRow, RunError> {
-        if let Some(error) = &self.lanes.errors[lane] {
-            return Err(error.clone());
-        }
-        initial.resize(self.lanes.initial.rows(), 0.0);
-        self.lanes.initial.lane(lane, initial);
-        Ok(&self.lanes.last[lane])
     }
 
     /// Number of operations in all lanes of the last runs.
@@ -219,82 +204,55 @@ impl Ensemble {
         self.attempts * (operations * self.lanes.running.len()) as u64
     }
 
-    /// Makes room for so many runs.
-    fn resize(&mut self, parameters: usize, states: usize, runs: usize) {
-        let blocks = runs.div_ceil(WIDTH);
+    /// Makes room for so many blocks of runs.
+    fn resize(&mut self, parameters: usize, states: usize, blocks: usize) {
         let width = self.width;
-        if self.lanes.blocks != blocks {
-            for body in [&mut self.rates, &mut self.readings, &mut self.initial] {
-                body.resize(blocks, width);
-            }
-            match &mut self.method {
-                Method::Fixed(fixed) => fixed.resize(blocks),
-                Method::Adaptive(steps, checks) => {
-                    steps.resize(states, blocks);
-                    if let Some(checks) = checks {
-                        checks.resize(states, parameters, (blocks, width));
-                    }
+        if self.lanes.blocks == blocks {
+            return;
+        }
+        for body in [&mut self.rates, &mut self.readings, &mut self.initial] {
+            body.resize(blocks, width);
+        }
+        match &mut self.method {
+            Method::Fixed(fixed) => fixed.resize(blocks),
+            Method::Adaptive(steps, checks) => {
+                steps.resize(states, blocks);
+                if let Some(checks) = checks {
+                    checks.resize(states, parameters, (blocks, width));
                 }
             }
-            self.lanes = Lanes {
-                blocks,
-                parameters: Grid::new(parameters, blocks),
-                initial: Grid::new(states, blocks),
-                values: vec![0.0; self.readings.len()],
-                ..Lanes::default()
-            };
         }
-        let lanes = &mut self.lanes;
-        let count = blocks * WIDTH;
-        lanes.running.clear();
-        lanes.running.extend((0..count).map(|lane| lane < runs));
-        lanes.index.clear();
-        lanes.index.resize(count, 0);
-        lanes.steps.clear();
-        lanes.steps.resize(count, 0);
-        lanes.errors.clear();
-        lanes.errors.resize(count, None);
-        lanes.last.resize(count, LastRow::default());
-        lanes.last.iter_mut().for_each(|last| last.set(0.0, &[]));
+        self.lanes = Lanes::new(parameters, states, blocks, self.readings.len());
     }
 
-    /// Sets parameters and initial values, and takes the first rows.
-    fn begin(&mut self, alone: &Alone, parameters: &[Vec<f64>], take: &mut dyn FnMut(usize, f64, &[f64])) {
-        let states = self.rates.states().len();
-        let first = parameters.first().map_or(&[][..], Vec::as_slice);
-        self.resize(first.len(), states, parameters.len());
+    /// Sets initial values, and takes the first rows.
+    fn begin(&mut self, alone: &Alone, take: &mut dyn FnMut(usize, f64, &[f64])) {
         let lanes = &mut self.lanes;
-        for lane in 0..lanes.blocks * WIDTH {
-            lanes.parameters.set_lane(lane, parameters.get(lane).map_or(first, Vec::as_slice));
-        }
         match &self.start {
             Some(start) => start.iter().enumerate().for_each(|(row, &value)| lanes.initial.fill(row, value)),
             None => {
                 self.initial.prepare(&lanes.parameters, &lanes.initial);
                 self.initial.evaluate();
-                for row in 0..states {
-                    let values = self.initial.grid().row(self.initial.roots()[row] as usize);
-                    lanes.initial.row_mut(row).copy_from_slice(values);
+                for (row, &root) in self.initial.roots().iter().enumerate() {
+                    lanes.initial.row_mut(row).copy_from_slice(self.initial.grid().row(root as usize));
                 }
             }
         }
-        for (lane, parameters) in parameters.iter().enumerate() {
-            let initial = |row: usize| lanes.initial.get(row, lane);
-            let finite =
-                parameters.iter().all(|value| value.is_finite()) && (0..states).all(|row| initial(row).is_finite());
-            if let Some(error) = (!finite).then(|| alone.refusal(parameters)).flatten() {
-                lanes.end(lane, Err(error));
+        lanes.begin();
+        if !(lanes.parameters.is_finite() && lanes.initial.is_finite()) {
+            for lane in 0..lanes.runs {
+                let begun = lanes.begun(lane);
+                let finite = begun.iter().flatten().all(|value| value.is_finite());
+                if let Some(error) = (!finite).then(|| alone.refusal(&begun[0])).flatten() {
+                    lanes.end(lane, Err(error));
+                }
             }
         }
         self.readings.prepare(&lanes.parameters, &lanes.initial);
-        if self.grid.last >= 0.0 {
-            let times = Grid::new(1, lanes.blocks);
+        if self.grid.last >= 0.0 && !self.readings.is_empty() {
             let running = lanes.running.clone();
             let initial = lanes.initial.clone();
-            self.read(&times, &initial, &running, take);
-            for lane in 0..running.len() {
-                self.keep(lane, 0.0, &initial);
-            }
+            self.read(&Grid::new(1, initial.blocks()), &initial, &running, take);
         }
     }
 
@@ -318,14 +276,6 @@ impl Ensemble {
             take(lane, times.get(0, lane), values);
         }
     }
-
-    /// Keeps the state of a lane as that of its last row.
-    pub(crate) fn keep(&mut self, lane: usize, time: f64, states: &Grid) {
-        let last = &mut self.lanes.last[lane];
-        last.time = time;
-        last.state.resize(states.rows(), 0.0);
-        states.lane(lane, &mut last.state);
-    }
 }
 
 /// The checks of a window; `None` if nothing can happen between two rows.
@@ -347,4 +297,24 @@ fn checks(
     });
     let bodies: Vec<Body> = bodies.collect();
     Ok(bodies.try_into().ok().map(Checks::new))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The row is that which is found by counting.
+    #[test]
+    fn the_last_row_reached_is_found_from_a_time() {
+        for step in [0.1, 0.05, 1.0 / 3.0, 7e-9, 12.0] {
+            let times = Times::new(step, 500.0 * step);
+            for tick in 0..6000 {
+                for end in [f64::next_down, f64::next_up, |time| time].map(|near| near(f64::from(tick) * 0.1 * step)) {
+                    let end = end.max(0.0);
+                    let counted = (0..times.all).take_while(|index| times.at(index + 1) <= end).count() as u64;
+                    assert_eq!(times.reached(counted.min(3), end), counted, "{step} {end}");
+                }
+            }
+        }
+    }
 }

@@ -94,6 +94,16 @@ impl Grid {
         out.iter_mut().enumerate().for_each(|(row, value)| *value = self.get(row, lane));
     }
 
+    /// The numbers of a lane, one for each row.
+    pub fn list(&self, lane: usize) -> Vec<f64> {
+        (0..self.rows()).map(|row| self.get(row, lane)).collect()
+    }
+
+    /// True if all numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        self.data.iter().flat_map(|block| &block.0).fold(true, |finite, number| finite & number.is_finite())
+    }
+
     /// Sets a row to one number in all lanes.
     #[inline(always)]
     pub fn fill(&mut self, row: usize, value: f64) {

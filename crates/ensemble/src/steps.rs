@@ -54,7 +54,8 @@ impl Steps {
 
     /// Begins all lanes at 0 with these states, SI units.
     pub fn begin(&mut self, states: &Grid) {
-        self.clocks = vec![Clock::begin(&self.control); states.blocks()];
+        self.clocks.clear();
+        self.clocks.resize(states.blocks(), Clock::begin(&self.control));
         self.to.clone_from(states);
         for row in 0..states.rows() {
             let (peaks, states) = (self.peaks.row_mut(row), states.row(row));
@@ -306,16 +307,15 @@ impl Steps {
         }
     }
 
-    /// State of a lane at `time`, as [`Steps::states_at`].
-    pub fn state_at(&self, lane: usize, time: f64, out: &mut [f64]) {
+    /// A state of a lane at `time`, as [`Steps::states_at`].
+    pub fn state_at(&self, lane: usize, time: f64, state: usize) -> f64 {
         let clock = &self.clocks[lane / WIDTH];
         let [start, size, end] = [&clock.start, &clock.size, &clock.end].map(|block| block.0[lane % WIDTH]);
-        for (state, out) in out.iter_mut().enumerate() {
-            let dense = &self.dense[state * self.to.blocks() + lane / WIDTH];
-            let part = (time - start) / size;
-            let value = continuous(dense.each_ref().map(|coefficient| coefficient.0[lane % WIDTH]), part);
-            *out = if time == end { self.to.get(state, lane) } else { value };
+        if time == end {
+            return self.to.get(state, lane);
         }
+        let dense = &self.dense[state * self.to.blocks() + lane / WIDTH];
+        continuous(dense.each_ref().map(|coefficient| coefficient.0[lane % WIDTH]), (time - start) / size)
     }
 }
 

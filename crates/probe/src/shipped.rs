@@ -1,8 +1,9 @@
 //! Speed of the rows of any document with its own method, interpreted and in emitted code.
 
 use crate::golden::setup;
-use engine::{LANES, Readings, Run, Setup, SideBySide, Stepper, side_by_side};
+use engine::{Compiled, LANES, Readings, Run, RunError, Setup, SideBySide, Stepper, side_by_side};
 use program::{Model, NodeId};
+use std::rc::Rc;
 use units::split_mix::scramble;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -15,7 +16,20 @@ pub struct Shipped {
     stepper: Stepper,
     model: Model,
     setup: Setup,
-    side_by_side: Option<Box<dyn SideBySide>>,
+    /// End of the document's run, SI.
+    end: f64,
+    beside: Option<Beside>,
+}
+
+/// Code of runs side by side.
+struct Beside {
+    runs: Box<dyn SideBySide>,
+    /// Code of a single run.
+    alone: Rc<dyn Compiled>,
+    /// Evaluates the initial state of a run.
+    initial: Readings,
+    /// The rate of the first state.
+    read: Readings,
 }
 
 #[wasm_bindgen]
@@ -28,7 +42,8 @@ impl Shipped {
     pub fn new(text: &str) -> Result<Shipped, String> {
         let (document, setup) = setup(text)?;
         let stepper = Stepper::new(&document.program.model, &setup).map_err(|error| error.to_string())?;
-        Ok(Self { stepper, model: document.program.model, setup, side_by_side: None })
+        let end = document.program.end();
+        Ok(Self { stepper, model: document.program.model, setup, end, beside: None })
     }
 
     /// Makes the steps in emitted code from now on; in WebAssembly only.
@@ -36,84 +51,91 @@ impl Shipped {
     /// # Errors
     /// The reason why they are interpreted.
     pub fn emit(&mut self) -> Result<(), String> {
-        let code = host::compile(self.stepper.listing()).map_err(|reason| format!("{reason:?}"))?;
-        self.stepper.use_compiled(code);
+        self.stepper.use_compiled(self.code()?);
         Ok(())
     }
 
-    /// The rate of the first state.
-    fn rate(&self) -> Result<NodeId, String> {
-        self.model.states.first().map(|state| state.derivative).ok_or_else(|| "no states".to_owned())
+    fn code(&self) -> Result<Rc<dyn Compiled>, String> {
+        host::compile(self.stepper.listing()).map_err(|reason| format!("{reason:?}"))
     }
 
-    /// Computes about `rows` rows in emitted code, of runs one after the other that differ as those of
-    /// [`Shipped::rows_side_by_side`], and reads the same at each row, as a plot over a parameter does. Returns the greatest of
-    /// what is read.
-    ///
-    /// # Errors
-    /// The document has no states, or a run cannot start.
-    pub fn rows_one_by_one(&self, rows: u32) -> Result<f64, String> {
-        let mut readings = Readings::new(&self.model, &[self.rate()?]);
-        let code = host::compile(self.stepper.listing()).map_err(|reason| format!("{reason:?}"))?;
-        let mut most = f64::NEG_INFINITY;
-        let mut left = rows;
-        let mut number = 0;
-        while left > 0 {
-            let count = left.min(ROWS_OF_A_RUN);
-            let mut setup = self.setup.clone();
-            setup.parameters = self.parameters(number);
-            let mut run = Run::start(&self.model, setup).map_err(|error| error.to_string())?;
-            run.use_compiled(code.clone());
-            let mut row = 0;
-            let last = f64::from(count) * self.setup.step;
-            while run.time() < last && run.advance().is_ok() {
-                for row in row..run.history().len() {
-                    most = most.max(readings.at_row(run.history(), row)[0]);
-                }
-                run.forget();
-                row = run.history().len();
-            }
-            left -= count;
-            number += 1;
-        }
-        Ok(most)
-    }
-
-    /// Parameters of one of several runs: the first one differs a little.
-    fn parameters(&self, run: usize) -> Vec<f64> {
-        let mut parameters = self.setup.parameters.clone();
-        parameters.iter_mut().take(1).for_each(|parameter| *parameter *= 1.0 + 0.0001 * run as f64);
-        parameters
-    }
-
-    /// Makes steps of runs side by side from now on, in which the rate of the first state is read; in WebAssembly only.
+    /// Prepares runs side by side, in which the rate of the first state is read; in WebAssembly only.
     ///
     /// # Errors
     /// They are made one by one.
     pub fn emit_side_by_side(&mut self) -> Result<(), String> {
-        let rate = self.rate()?;
+        let rate: NodeId = self.model.states.first().map(|state| state.derivative).ok_or("no states")?;
         let compile = |listing: &_| host::compile_side_by_side(listing).ok();
         let runs = side_by_side(&self.model, &self.setup, &[rate], compile, |listing| host::compile(Ok(listing)).ok())
             .ok_or("runs are made one by one")?;
-        self.side_by_side = Some(runs);
+        let starts: Vec<NodeId> = self.model.states.iter().map(|state| state.initial).collect();
+        let [initial, read] = [&starts[..], &[rate]].map(|nodes| Readings::new(&self.model, nodes));
+        self.beside = Some(Beside { runs, alone: self.code()?, initial, read });
         Ok(())
     }
 
-    /// Computes about `rows` rows, those of all runs side by side together; the first parameter differs a little. Returns the greatest of
-    /// what is read.
-    pub fn rows_side_by_side(&mut self, rows: u32) -> f64 {
-        let begun: Vec<_> = (0..LANES).map(|run| [self.parameters(run), self.stepper.initial().to_vec()]).collect();
-        let Some(runs) = &mut self.side_by_side else { return f64::NAN };
-        let mut left = rows.div_ceil(LANES as u32);
+    /// Number of rows of the document's own run.
+    pub fn rows_of_run(&self) -> u32 {
+        (self.end / self.setup.step) as u32
+    }
+
+    /// Makes 64 runs of at most `rows` rows, whose first parameters differ a little, one after the other in emitted code, and reads
+    /// each row, as a plot over a parameter does. Returns the greatest of what is read.
+    ///
+    /// # Errors
+    /// A run cannot start or fails.
+    pub fn runs_one_by_one(&mut self, rows: u32) -> Result<f64, String> {
+        (0..LANES).try_fold(f64::NEG_INFINITY, |most, run| Ok(most.max(self.run(run, rows)?)))
+    }
+
+    /// Greatest value that is read in one of these runs.
+    fn run(&mut self, number: usize, rows: u32) -> Result<f64, String> {
+        let Some(Beside { alone, read, .. }) = &mut self.beside else { return Ok(f64::NAN) };
+        let until = f64::from(rows) * self.setup.step;
+        let mut setup = self.setup.clone();
+        vary(&mut setup.parameters, number);
+        let mut run = Run::start(&self.model, setup).map_err(|error| error.to_string())?;
+        run.use_compiled(alone.clone());
         let mut most = f64::NEG_INFINITY;
-        while left > 0 {
-            let count = left.min(ROWS_OF_A_RUN);
-            let mut take = |_: usize, _: f64, values: &[f64]| most = most.max(values[0]);
-            runs.begin(&begun, f64::from(count) * self.setup.step, &mut take);
-            while !runs.advance(&mut { u64::MAX }, &mut take) {}
-            left -= count;
+        let mut next = 0;
+        let mut goes_on = true;
+        while goes_on && run.time() < until {
+            goes_on = match run.advance() {
+                Ok(_) => true,
+                Err(error) if error.is_end() => false,
+                Err(error) => return Err(RunError::to_string(&error)),
+            };
+            for row in next..run.history().len() {
+                most = most.max(read.at_row(run.history(), row)[0]);
+            }
+            run.forget();
+            next = run.history().len();
         }
-        most
+        Ok(most)
+    }
+
+    /// Makes the runs of [`Shipped::runs_one_by_one`] side by side; one that fails is made again alone, as for a plot. Returns the
+    /// same.
+    ///
+    /// # Errors
+    /// A run cannot start or fails.
+    pub fn runs_side_by_side(&mut self, rows: u32) -> Result<f64, String> {
+        let until = f64::from(rows) * self.setup.step;
+        let Some(Beside { runs, initial, .. }) = &mut self.beside else { return Ok(f64::NAN) };
+        let nothing = vec![0.0; self.model.states.len()];
+        let begun = |run: usize| {
+            let mut parameters = self.setup.parameters.clone();
+            vary(&mut parameters, run);
+            let initial = initial.at(&parameters, &nothing, 0.0, &nothing).to_vec();
+            [parameters, initial]
+        };
+        let begun: Vec<_> = (0..LANES).map(begun).collect();
+        let mut most = f64::NEG_INFINITY;
+        let mut take = |_: usize, _: f64, values: &[f64]| most = most.max(values[0]);
+        runs.begin(&begun, until, &mut take);
+        while !runs.advance(&mut { u64::MAX }, &mut take) {}
+        let failed: Vec<usize> = (0..LANES).filter(|run| runs.end(*run).is_none()).collect();
+        failed.into_iter().try_fold(most, |most, run| Ok(most.max(self.run(run, rows)?)))
     }
 
     /// Computes `rows` rows without recording. A run that ends begins again. Returns a hash of all states.
@@ -130,4 +152,9 @@ impl Shipped {
         }
         format!("{hash:016x}")
     }
+}
+
+/// Changes the first parameter a little, for the run of this number.
+fn vary(parameters: &mut [f64], run: usize) {
+    parameters.iter_mut().take(1).for_each(|parameter| *parameter *= 1.0 + 0.0001 * run as f64);
 }

@@ -9,7 +9,7 @@ use crate::reply::Reply;
 use crate::settings::Prepared;
 use crate::table;
 use model::Severity;
-use runner::{Outcome, Points, Sources, Sweep};
+use runner::{Points, Sources, Sweep, Taken};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use std::sync::Arc;
@@ -65,25 +65,24 @@ pub fn sweep(host: &dyn Host, opened: &Opened, request: &str, numbers: &[Vec<f64
     let plan = kept.plan(points, numbers)?;
     let sweep = Sweep::new(model, (setup, *until), &plan, (&kept.outcomes, &kept.code));
     let runs = plan.share(number - 1, of);
-    let mut outcomes = Vec::new();
+    let mut taken = Taken::starting_at(runs.start);
     let mut next = runs.start;
     while next < runs.end {
         let part = next..runs.end.min(next + TOGETHER);
         next = part.end;
-        outcomes.extend(sweep.compute(part));
+        taken.append(sweep.compute(part));
         if !host.goes_on() {
             return Err(Fault::Interrupted);
         }
     }
-    let computed = runner::Table::of_runs(model, &plan, &kept.outcomes, &outcomes);
-    table::reply(computed, missing(&outcomes, &opened.theory().sources, &kept), None)
+    let computed = runner::Table::of_runs(model, &plan, &kept.outcomes, &taken);
+    table::reply(computed, missing(&taken, &opened.theory().sources, &kept), None)
 }
 
 /// How many runs could not be computed, and why the first one could not.
-fn missing(outcomes: &[Outcome], sources: &Sources, kept: &Kept) -> Vec<Diagnostic> {
-    let mut failed = outcomes.iter().filter_map(|outcome| Some((outcome.run, outcome.taken.as_ref().err()?)));
-    let Some((run, error)) = failed.next() else { return Vec::new() };
-    let (count, all) = (1 + failed.count(), outcomes.len());
+fn missing(taken: &Taken, sources: &Sources, kept: &Kept) -> Vec<Diagnostic> {
+    let [(run, error), ..] = taken.errors() else { return Vec::new() };
+    let (count, all) = (taken.errors().len(), taken.runs().count());
     let why = words!("{count} of {all} runs could not be computed; the first is run {}", run + 1);
     let summary = Diagnostic::without_place(Severity::Warning, "", &why, None);
     vec![summary, run_diagnostic((sources, &kept.prepared.document), error)]

@@ -32,7 +32,7 @@ pub use plan::{Axis, Plan, PlanError, Points, Values};
 pub use quoted::quoted;
 pub use refusal::{Refusal, listed, plain};
 pub use settings::{Settings, no_seats, setup, take_seat};
-pub use sweep::{Outcome, Sweep, SweepCode, threads, use_threads};
+pub use sweep::{Sweep, SweepCode, Taken, threads, use_threads};
 pub use sweeping::{kept, plan};
 pub use table::{ColumnValues, Table, TableColumn, chosen_columns};
 pub use values::{Reader, positive, within_range};

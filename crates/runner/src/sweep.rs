@@ -11,13 +11,45 @@ use std::sync::Mutex;
 /// Size in bytes of a run's history at which its rows, which have been taken, are dropped.
 const HISTORY: usize = 1 << 18;
 
-/// A run of a plan, and what was taken, in the units of [`Outcomes::curves`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// Number of the run, from 0.
-    pub run: u64,
-    /// The numbers that were taken, or why the run has none.
-    pub taken: Result<Vec<f64>, RunError>,
+/// Numbers taken of consecutive runs of a plan, in the units of [`Outcomes::curves`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Taken {
+    /// Numbers of the runs, from 0.
+    runs: Range<u64>,
+    /// The numbers of the first run, then those of the next one; NaN for a run that could not be computed.
+    values: Vec<f64>,
+    /// Runs that could not be computed, and why.
+    errors: Vec<(u64, RunError)>,
+}
+
+impl Taken {
+    /// No runs yet; those that are added begin with this number.
+    pub fn starting_at(first: u64) -> Self {
+        Self { runs: first..first, ..Self::default() }
+    }
+
+    /// Numbers of the runs, from 0.
+    pub fn runs(&self) -> Range<u64> {
+        self.runs.clone()
+    }
+
+    /// Values of the number with this index, one for each run; NaN for a run that could not be computed.
+    pub fn values(&self, index: usize) -> impl Iterator<Item = f64> {
+        let width = self.values.len() / self.runs.clone().count().max(1);
+        self.values.iter().skip(index).step_by(width.max(1)).copied()
+    }
+
+    /// Numbers of the runs that could not be computed, and why.
+    pub fn errors(&self) -> &[(u64, RunError)] {
+        &self.errors
+    }
+
+    /// Adds the runs that follow.
+    pub fn append(&mut self, next: Self) {
+        self.runs.end = next.runs.end;
+        self.values.extend(next.values);
+        self.errors.extend(next.errors);
+    }
 }
 
 /// Greatest number of operations ([`Ensemble::work`]) of runs that are computed on the thread of the caller: to wake others takes longer.
@@ -38,13 +70,11 @@ pub struct SweepCode {
 struct Prepared {
     /// Runs in lanes, or why there are none.
     ensemble: Result<Ensemble, NoLanes>,
+    /// For runs that are computed one by one: the operands of the aggregates, and the numbers at the end.
     operands: Readings,
-    /// The numbers at the end of a run.
     last: Readings,
-    /// Parameters of the runs, SI units.
-    parameters: Vec<Vec<f64>>,
-    /// Initial values of a run, SI units.
-    initial: Vec<f64>,
+    /// Values of the axes of a run.
+    axes: Vec<f64>,
 }
 
 impl Clone for SweepCode {
@@ -58,11 +88,11 @@ impl SweepCode {
     pub fn new(model: &Model, (setup, until): (&Setup, f64), outcomes: &Outcomes) -> Self {
         let nodes: Vec<NodeId> = outcomes.aggregates.iter().map(|aggregate| aggregate.of).collect();
         let prepared = Prepared {
-            ensemble: Ensemble::new(model, setup, until, &nodes),
+            ensemble: Ensemble::new(model, setup, until, &nodes)
+                .and_then(|ensemble| ensemble.with_ends(model, &outcomes.nodes, outcomes.aggregates.len())),
             operands: Readings::new(model, &nodes),
             last: Readings::new(model, &outcomes.nodes),
-            parameters: Vec::new(),
-            initial: Vec::new(),
+            axes: Vec::new(),
         };
         Self { prepared, nodes, spare: Mutex::default() }
     }
@@ -128,8 +158,8 @@ impl<'a> Sweep<'a> {
         Self { model, setup, until, plan, outcomes, code }
     }
 
-    /// Computes some runs on all processors and returns them in their order.
-    pub fn compute(&self, runs: Range<u64>) -> Vec<Outcome> {
+    /// Computes some runs on all processors.
+    pub fn compute(&self, runs: Range<u64>) -> Taken {
         let count = runs.end - runs.start;
         let alone = || Alone::new(self.model, self.setup, &self.code.nodes);
         // One that has made runs knows their work.
@@ -151,55 +181,71 @@ impl<'a> Sweep<'a> {
             let first = runs.start + block * together;
             self.block(alone, first..runs.end.min(first + together))
         };
-        (0..blocks).into_par_iter().map_init(alone, block).flatten_iter().collect()
+        let parts: Vec<Taken> = (0..blocks).into_par_iter().map_init(alone, block).collect();
+        let mut taken = Taken::starting_at(runs.start);
+        parts.into_iter().for_each(|part| taken.append(part));
+        taken
     }
 
     /// Computes some runs side by side.
-    fn block(&self, alone: &mut Alone, runs: Range<u64>) -> Vec<Outcome> {
+    fn block(&self, alone: &mut Alone, runs: Range<u64>) -> Taken {
         let mut prepared = self.code.take();
-        prepared.parameters.resize((runs.end - runs.start) as usize, Vec::new());
-        let mut axes = Vec::new();
-        for (run, parameters) in runs.clone().zip(&mut prepared.parameters) {
-            self.plan.set(run, &mut axes);
-            self.set_parameters(&axes, parameters);
+        let mut taken = Taken { runs, ..Taken::default() };
+        match &mut prepared.ensemble {
+            Ok(ensemble) => self.together(ensemble, &mut prepared.axes, alone, &mut taken),
+            Err(_) => self.one_by_one(&mut prepared, &mut taken),
         }
-        let taken = match &prepared.ensemble {
-            Ok(_) => self.together(&mut prepared, alone),
-            Err(_) => (0..prepared.parameters.len()).map(|run| self.single(&mut prepared, run)).collect(),
-        };
         self.code.give_back(prepared);
-        runs.zip(taken).map(|(run, taken)| Outcome { run, taken }).collect()
+        taken
     }
 
-    /// Sets parameters to those with these values of the axes.
-    fn set_parameters(&self, axes: &[f64], parameters: &mut Vec<f64>) {
-        parameters.clone_from(&self.setup.parameters);
-        for (axis, value) in self.plan.axes().iter().zip(axes) {
-            if let Some(parameter) = parameters.get_mut(axis.parameter) {
-                *parameter = *value;
+    /// Takes the runs, which are computed in lanes.
+    fn together(&self, ensemble: &mut Ensemble, axes: &mut Vec<f64>, alone: &mut Alone, taken: &mut Taken) {
+        let Taken { runs, values, errors } = taken;
+        let aggregates = &self.outcomes.aggregates;
+        let count = (runs.end - runs.start) as usize;
+        ensemble.prepare(count, &self.setup.parameters);
+        for (lane, run) in runs.clone().enumerate() {
+            self.plan.set(run, axes);
+            for (axis, value) in self.plan.axes().iter().zip(&*axes) {
+                ensemble.set_parameter(lane, axis.parameter, *value);
             }
         }
+        let mut folds = vec![Folds::new(aggregates); if aggregates.is_empty() { 0 } else { count }];
+        ensemble.compute(alone, &mut |lane, time, values| folds[lane].take(aggregates, time, values));
+        ensemble.evaluate_ends(&mut |lane, further| {
+            further.iter_mut().zip(folds[lane].results(aggregates)).for_each(|(to, result)| *to = result);
+        });
+        let curves = &self.outcomes.curves;
+        for (lane, run) in runs.clone().enumerate() {
+            let error = ensemble.error(lane);
+            let value = |node: usize| if error.is_some() { f64::NAN } else { ensemble.value_at_end(lane, node) };
+            values.extend(curves.iter().enumerate().map(|(node, curve)| curve.value.unit.from_si(value(node))));
+            errors.extend(error.map(|error| (run, error.clone())));
+        }
     }
 
-    /// Values taken of the prepared runs, which are computed in lanes.
-    fn together(&self, prepared: &mut Prepared, alone: &mut Alone) -> Vec<Result<Vec<f64>, RunError>> {
-        let aggregates = &self.outcomes.aggregates;
-        let Prepared { ensemble: Ok(ensemble), last, parameters, initial, .. } = prepared else { return Vec::new() };
-        let mut folds = vec![Folds::new(aggregates); parameters.len()];
-        let mut take = |lane: usize, time: f64, values: &[f64]| folds[lane].take(aggregates, time, values);
-        ensemble.compute(alone, parameters, &mut take);
-        let taken = |(lane, (folds, parameters)): (usize, (&Folds, &Vec<f64>))| {
-            let row = ensemble.end(lane, initial)?;
-            let values = folds.values(aggregates, last, [parameters, initial], (row.time, &row.state));
-            Ok(self.in_units(values))
-        };
-        folds.iter().zip(parameters.iter()).enumerate().map(taken).collect()
+    /// Takes the runs, which are computed one after the other.
+    fn one_by_one(&self, prepared: &mut Prepared, taken: &mut Taken) {
+        let curves = &self.outcomes.curves;
+        for run in taken.runs() {
+            let found = self.single(prepared, run);
+            let value = |node: usize| found.as_ref().ok()?.get(node).copied();
+            let values = curves.iter().enumerate();
+            let values = values.map(|(node, curve)| curve.value.unit.from_si(value(node).unwrap_or(f64::NAN)));
+            taken.values.extend(values);
+            taken.errors.extend(found.err().map(|error| (run, error)));
+        }
     }
 
-    /// Values taken of one of the prepared runs.
-    fn single(&self, prepared: &mut Prepared, run: usize) -> Result<Vec<f64>, RunError> {
+    /// Values (SI units) taken of a run.
+    fn single(&self, prepared: &mut Prepared, run: u64) -> Result<Vec<f64>, RunError> {
         let aggregates = &self.outcomes.aggregates;
-        let parameters = prepared.parameters[run].clone();
+        let mut parameters = self.setup.parameters.clone();
+        self.plan.set(run, &mut prepared.axes);
+        for (axis, value) in self.plan.axes().iter().zip(&prepared.axes) {
+            parameters[axis.parameter] = *value;
+        }
         let last = self.until * (1.0 + engine::ROUNDING);
         let mut run = Run::start(self.model, Setup { parameters, ..self.setup.clone() })?;
         let mut folds = Folds::new(aggregates);
@@ -231,12 +277,6 @@ impl<'a> Sweep<'a> {
             _ => take(&run, rows..run.history().len()),
         }
         let values = folds.values_at_end(aggregates, &mut prepared.last, run.history(), self.until);
-        Ok(self.in_units(values.unwrap_or_default()))
-    }
-
-    /// Values (SI) in the units of [`Outcomes::curves`].
-    fn in_units(&self, values: &[f64]) -> Vec<f64> {
-        let units = self.outcomes.curves.iter().map(|curve| &curve.value.unit);
-        values.iter().zip(units).map(|(value, unit)| unit.from_si(*value)).collect()
+        Ok(values.unwrap_or_default().to_vec())
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::plan::Plan;
 use crate::refusal::Refusal;
-use crate::sweep::Outcome;
+use crate::sweep::Taken;
 use engine::History;
 use engine::table::{Cell, Column};
 use program::{Kind, Model, Outcomes};
@@ -86,15 +86,18 @@ impl Table {
 
     /// Table of many runs: the number of each run from 1, the values of the axes, and what was kept; NaN where a run could not
     /// be computed.
-    pub fn of_runs(model: &Model, plan: &Plan, outcomes: &Outcomes, runs: &[Outcome]) -> Self {
+    pub fn of_runs(model: &Model, plan: &Plan, outcomes: &Outcomes, taken: &Taken) -> Self {
         let [axes, kept] = sweep_columns(model, plan, outcomes);
         let number = Column { name: "run".to_owned(), label: None, unit: Unit::dimensionless() };
-        let numbers = runs.iter().map(|outcome| (outcome.run + 1) as f64).collect();
+        let runs = taken.runs();
+        let numbers = runs.clone().map(|run| (run + 1) as f64).collect();
         let mut columns = vec![TableColumn { head: number, values: ColumnValues::Numbers(numbers) }];
-        let (mut varied, mut of_run) = (vec![Vec::with_capacity(runs.len()); axes.len()], Vec::new());
-        for outcome in runs {
-            plan.set(outcome.run, &mut of_run);
-            varied.iter_mut().zip(&of_run).for_each(|(values, value): (&mut Vec<f64>, _)| values.push(*value));
+        let rows = (runs.end - runs.start) as usize;
+        let mut varied: Vec<Vec<f64>> = axes.iter().map(|_| Vec::with_capacity(rows)).collect();
+        let mut of_run = Vec::new();
+        for run in runs {
+            plan.set(run, &mut of_run);
+            varied.iter_mut().zip(&of_run).for_each(|(values, value)| values.push(*value));
         }
         for ((head, axis), values) in axes.into_iter().zip(plan.axes()).zip(varied) {
             let values = values.into_iter();
@@ -107,11 +110,7 @@ impl Table {
             columns.push(TableColumn { head, values });
         }
         for (place, head) in kept.into_iter().enumerate() {
-            let value = |outcome: &Outcome| {
-                let taken = outcome.taken.as_deref().unwrap_or_default();
-                taken.get(place).copied().unwrap_or(f64::NAN)
-            };
-            columns.push(TableColumn { head, values: ColumnValues::Numbers(runs.iter().map(value).collect()) });
+            columns.push(TableColumn { head, values: ColumnValues::Numbers(taken.values(place).collect()) });
         }
         Self { columns }
     }

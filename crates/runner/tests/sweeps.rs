@@ -4,7 +4,7 @@
 
 use document::Document;
 use engine::Setup;
-use runner::{Axis, Outcome, Plan, Points, Sweep, SweepCode, Values};
+use runner::{Axis, Plan, Points, Sweep, SweepCode, Taken, Values};
 use std::path::Path;
 
 /// Greatest number of rows of a run.
@@ -34,12 +34,10 @@ fn plan(setup: &Setup, parameter: usize) -> Plan {
     Plan::new(vec![Axis { parameter, values }], Points::Random(19, 3)).unwrap()
 }
 
-fn bits(outcomes: &[Outcome]) -> Vec<(u64, Result<Vec<u64>, String>)> {
-    let taken = |outcome: &Outcome| match &outcome.taken {
-        Ok(values) => Ok(values.iter().map(|value| value.to_bits()).collect()),
-        Err(error) => Err(format!("{error:?}")),
-    };
-    outcomes.iter().map(|outcome| (outcome.run, taken(outcome))).collect()
+/// Bits of the values of each of `count` numbers, and the errors of the runs.
+fn bits(taken: &Taken, count: usize) -> (Vec<Vec<u64>>, String) {
+    let bits = |number: usize| taken.values(number).map(f64::to_bits).collect();
+    ((0..count).map(bits).collect(), format!("{:?}", taken.errors()))
 }
 
 #[test]
@@ -66,14 +64,42 @@ fn lanes_keep_the_values_of_single_runs() {
         for parameter in numbers.take(3) {
             let plan = plan(&setup, parameter);
             let compute = |code: &SweepCode| {
-                bits(&Sweep::new(model, (&setup, until), &plan, (&outcomes, code)).compute(0..plan.runs()))
+                let taken = Sweep::new(model, (&setup, until), &plan, (&outcomes, code)).compute(0..plan.runs());
+                bits(&taken, outcomes.curves.len())
             };
             let (found, expected) = (compute(&code), compute(&code.clone().one_by_one()));
-            assert_eq!(found.len(), 19);
+            assert!(found.0.iter().all(|values| values.len() == 19));
             assert_eq!(found, expected, "{name}, {}", model.parameters[parameter].name);
         }
     }
     let expected =
         ["double-pendulum.md", "fourier.md", "gas.md", "logistic-map.md", "random-walk.md", "van-der-pol.md"];
     assert_eq!(alone, expected);
+}
+
+/// Of 19 runs those fail whose state becomes infinite. Their values are gaps, in lanes and run by run.
+#[test]
+fn runs_that_fail_leave_gaps() {
+    let text = "---\nuntil: 1 [s]\nstep: 0.05\n---\n\n```model\nparameter a = 1\nx' = 1 [1/s]*a*x^2\nx(0) = 1\n```\n";
+    let mut document = document::open(text, &[]).document.unwrap();
+    let outcomes = runner::kept(&mut document, "x at end, maximum(x)").unwrap();
+    for method in [engine::Method::DormandPrince, engine::Method::RungeKutta4] {
+        let setup = Setup { method, ..Setup::of(&document.program) };
+        let values = Values::Range { low: 0.0, high: 90.0, step: Some(5.0) };
+        let plan = Plan::new(vec![Axis { parameter: 0, values }], Points::Grid).unwrap();
+        let model = &document.program.model;
+        let code = SweepCode::new(model, (&setup, 1.0), &outcomes);
+        assert_eq!(code.no_lanes(), None);
+        let compute = |code: &SweepCode| {
+            let taken = Sweep::new(model, (&setup, 1.0), &plan, (&outcomes, code)).compute(3..19);
+            let failed: Vec<u64> = taken.errors().iter().map(|(run, _)| *run).collect();
+            for number in 0..2 {
+                let gaps = (taken.runs().zip(taken.values(number))).filter(|(_, value)| value.is_nan());
+                assert_eq!(gaps.map(|(run, _)| run).collect::<Vec<_>>(), failed, "{method:?}");
+            }
+            assert!(!failed.is_empty(), "{method:?}");
+            bits(&taken, 2)
+        };
+        assert_eq!(compute(&code), compute(&code.clone().one_by_one()), "{method:?}");
+    }
 }

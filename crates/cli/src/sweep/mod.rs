@@ -12,7 +12,7 @@ use arguments::Sweep;
 use document::Document;
 use engine::RunError;
 use rows::Rows;
-use runner::{Outcome, Plan, Points, Sources, Table};
+use runner::{Plan, Points, Sources, Table, Taken};
 use std::ops::Range;
 use std::time::{Duration, Instant};
 use units::words;
@@ -41,8 +41,8 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
     let runs = plan.share(arguments.shard.number, arguments.shard.of.get());
     let progress = progress::bar(runs.end - runs.start, "runs", arguments.output.as_deref());
     let path = arguments.output.as_deref();
-    let table = |runs: &[Outcome]| Table::of_runs(&document.program.model, &plan, &outcomes, runs);
-    let mut rows = Rows::begin(output, path, &table(&[]))?;
+    let table = |taken: &Taken| Table::of_runs(&document.program.model, &plan, &outcomes, taken);
+    let mut rows = Rows::begin(output, path, &table(&Taken::default()))?;
     let mut missing = Missing::default();
     let (mut next, mut together) = (runs.start, runner::Sweep::LEAST * runner::threads() as u64);
     while next < runs.end {
@@ -50,7 +50,7 @@ pub fn run(arguments: &Sweep, terminal: Terminal) -> Result<(), Failure> {
         let begun = Instant::now();
         let computed = sweep.compute(part.clone());
         rows.write(&table(&computed), path)?;
-        computed.into_iter().for_each(|outcome| missing.note(outcome));
+        missing.note(&computed);
         next = part.end;
         progress.set_position(next - runs.start);
         if begun.elapsed() < TOGETHER {
@@ -82,11 +82,9 @@ struct Missing {
 }
 
 impl Missing {
-    fn note(&mut self, outcome: Outcome) {
-        if let Err(error) = outcome.taken {
-            self.count += 1;
-            self.first.get_or_insert((outcome.run, error));
-        }
+    fn note(&mut self, taken: &Taken) {
+        self.count += taken.errors().len() as u64;
+        self.first = self.first.take().or_else(|| taken.errors().first().cloned());
     }
 
     /// Says how many runs are missing, and why the first one is. It is a failure if all are.

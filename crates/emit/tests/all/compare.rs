@@ -87,7 +87,7 @@ pub fn compare_side_by_side(model: &Model, setup: &Setup, rows: usize) -> Option
             |(time, state): &Row| (time.to_bits(), bits(readings.at(&setups[run].parameters, &initial, *time, state)));
         let expected_values: Vec<_> = expected.iter().map(&mut read).collect();
         let last = lanes.end(run);
-        // A run that fails is made again alone, whatever is taken of it. So are those that stop too often.
+        // A run that fails is made again alone, whatever is taken of it.
         assert!(ends || last.is_none(), "run {run}");
         let Some((time, state)) = last else {
             if ends {

@@ -8,7 +8,7 @@
 //! Rows of paused runs are taken then. One that has stopped continues in the engine's stepper from the moment it has reached to its
 //! next row, so that events and switches are located and act as in a single run. Then all that determines how it continues
 //! (`Stepper::write_to`) is written back to its places, and it takes part in the next round.
-//! Where runs stop at most of their rows all of them fail, since they are faster alone.
+//! Where runs stop at most of their rows, one that stops continues over several rows: it is faster alone.
 
 use super::Compiled;
 use super::lanes::{LanesLayout, Numbers};
@@ -28,8 +28,12 @@ const MOST_ROUNDS: u64 = 1024;
 /// again alone, for which the caller can divide the work.
 const MOST_WORK: u64 = 1_000_000;
 
-/// Number of stops for each run after which runs that stop at more than half of their rows fail: alone they are faster.
-const MANY_STOPS: u64 = 16;
+/// Number of stops for each run after which a run continues alone over several rows if runs stop at more than half of their rows.
+const MANY_STOPS: u64 = 2;
+
+/// Greatest number of these rows, and of floating-point operations after which there is no further one.
+const ROWS_ALONE: u64 = 64;
+const WORK_ALONE: u64 = 50_000;
 
 /// Runs of one model in compiled code.
 #[derive(Debug)]
@@ -43,7 +47,7 @@ pub(crate) struct AdaptiveLanes {
     /// The times of the rows.
     grid: Grid,
     lanes: Vec<Lane>,
-    /// Number of stops of all runs.
+    /// Number of rows to which runs have continued alone.
     stops: u64,
     numbers: Numbers,
     values: Vec<f64>,
@@ -187,24 +191,29 @@ impl AdaptiveLanes {
         progress == LaneProgress::Running && (pauses || reached - index as f64 > 0.5 * self.layout.rows as f64)
     }
 
-    /// True if the runs stop at more than half of their rows.
+    /// True if the runs reach more than half of their rows alone.
     fn stops_too_often(&self) -> bool {
         let rows: u64 = self.lanes.iter().map(|lane| lane.index).sum();
         self.stops > MANY_STOPS * self.lanes.len() as u64 && 2 * self.stops > rows
     }
 
-    /// Continues a run alone up to its next row.
+    /// Continues a run alone up to its next row, or over several rows if runs stop too often.
     fn go_on_alone(&mut self, run: usize, take: Take) -> LaneProgress {
-        self.stops += 1;
-        let mut is_at_row = false;
+        let most = if self.stops_too_often() { ROWS_ALONE.min(self.grid.all - self.lanes[run].index) } else { 1 };
+        let (mut made, mut is_at_row) = (0, false);
         let outcome = self.alone(run, take, |stepper, rows| {
             let mut record = |time: f64, state: &[f64], jumped: bool| rows.row(time, state, jumped);
-            is_at_row = stepper.advance_within(MOST_WORK, &mut record)? != Progress::Partial;
+            let begun = stepper.work();
+            while made == 0 || (is_at_row && made < most && stepper.work() - begun < WORK_ALONE) {
+                is_at_row = stepper.advance_within(MOST_WORK, &mut record)? != Progress::Partial;
+                made += 1;
+            }
             Ok(())
         });
+        self.stops += made;
         match outcome {
             Ok(()) if is_at_row => {
-                self.lanes[run].index += 1;
+                self.lanes[run].index += made;
                 self.write(run);
                 LaneProgress::Running
             }
@@ -306,9 +315,6 @@ impl SideBySide for AdaptiveLanes {
                 }
             }
             *left = left.saturating_sub(self.stepper.work() - before);
-            if self.stops_too_often() {
-                self.lanes.iter_mut().for_each(|lane| lane.progress = LaneProgress::Failed);
-            }
         }
         true
     }

@@ -74,9 +74,13 @@ impl Folds {
         if self.folds.is_empty() {
             return readings.at(parameters, initial, time, state);
         }
-        let results = self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of));
-        let parameters: Vec<f64> = parameters.iter().copied().chain(results).collect();
+        let parameters: Vec<f64> = parameters.iter().copied().chain(self.results(aggregates)).collect();
         readings.at(&parameters, initial, time, state)
+    }
+
+    /// Result of each aggregate, SI units; NaN for one that has not begun to count.
+    pub fn results(&self, aggregates: &[Aggregate]) -> impl Iterator<Item = f64> {
+        self.folds.iter().zip(aggregates).map(|(fold, of)| fold.result(of))
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::support::Noise;
 use crate::support::fitting::{
-    DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, parameter, record, task,
+    DAMPED_COSINE, DAMPED_COSINE_NAMES, fitted, model, observation, on_all_processors, parameter, record, task,
 };
-use analysis::fit::{Fit, profile};
+use analysis::fit::{Estimate, Fit, profile};
 use program::Model;
 
 const MOTION: &str = "
@@ -48,27 +48,36 @@ fn coverage(text: &str, names: &[&'static str], (records, rows): (u32, u32), rho
     let clean = curve(&model, &times);
     let truth: Vec<f64> = names.iter().map(|name| model.parameters[parameter(&model, name)].value).collect();
     let mut noise = Noise::new(2_025);
-    let mut sums = vec![[0.0; 6]; names.len()];
-    for _ in 0..records {
+    let mut simulated = || {
         let mut scatter = noise.normal();
-        let disturbed = |value: &f64| {
+        let mut disturbed = |value: &f64| {
             scatter = rho * scatter + (1.0 - rho * rho).sqrt() * noise.normal();
             value + 5e-4 * scatter
         };
-        let values: Vec<f64> = clean.iter().map(disturbed).collect();
-        let outcome = fitted(&model, task(&model, record(vec![observation(&model, "y", 0, &times, &values)]), names));
-        for ((sums, estimate), truth) in sums.iter_mut().zip(&outcome.parameters).zip(&truth) {
+        clean.iter().map(&mut disturbed).collect::<Vec<f64>>()
+    };
+    let simulated: Vec<Vec<f64>> = (0..records).map(|_| simulated()).collect();
+    // For each record and each of its estimates.
+    let counts = on_all_processors(&simulated, |values| {
+        let outcome = fitted(&model, task(&model, record(vec![observation(&model, "y", 0, &times, values)]), names));
+        let counts = |(estimate, truth): (&Estimate, &f64)| {
             let off = estimate.value - truth;
             let [textbook, robust] = [estimate.stderr, estimate.stderr_hac].map(Option::unwrap);
             let (low, high) = estimate.interval().unwrap();
-            let counts = [
+            [
                 f64::from(off.abs() <= textbook),
                 f64::from(off.abs() <= robust),
                 textbook,
                 off * off,
                 f64::from((low..=high).contains(truth)),
                 f64::from(outcome.is_short()),
-            ];
+            ]
+        };
+        outcome.parameters.iter().zip(&truth).map(counts).collect::<Vec<_>>()
+    });
+    let mut sums = vec![[0.0; 6]; names.len()];
+    for of_record in &counts {
+        for (sums, counts) in sums.iter_mut().zip(of_record) {
             sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
         }
     }
@@ -131,13 +140,13 @@ fn intervals_contain_the_truth_for_correlated_errors_in_short_and_long_records()
         "", "rows", "rho", "textbook 68 %", "68 %", "95 %", "short"
     );
     let cosine = ("cosine", DAMPED_COSINE, &DAMPED_COSINE_NAMES[..]);
-    std::thread::scope(|scope| {
-        for model in [("line", LINE, &["c", "s"][..]), cosine] {
-            for length in [(60, 600), (200, 600), (1_000, 250)] {
-                scope.spawn(move || [0.0, 0.5, 0.8].map(|rho| covers(model, length, rho)));
+    for model in [("line", LINE, &["c", "s"][..]), cosine] {
+        for length in [(60, 600), (200, 600), (1_000, 250)] {
+            for rho in [0.0, 0.5, 0.8] {
+                covers(model, length, rho);
             }
         }
-    });
+    }
 }
 
 /// Panics unless the intervals of a model's parameters contain the truth as often as they say, in records of this length, whose

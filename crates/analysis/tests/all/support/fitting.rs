@@ -63,6 +63,17 @@ pub fn fitted(model: &Model, task: Task) -> Outcome {
     outcome
 }
 
+/// Results for all items in their order, computed on all processors.
+pub fn on_all_processors<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let part = |items: &[T]| items.iter().map(&work).collect::<Vec<R>>();
+    std::thread::scope(|scope| {
+        let parts = items.chunks(items.len().div_ceil(threads).max(1));
+        let parts: Vec<_> = parts.map(|items| scope.spawn(|| part(items))).collect();
+        parts.into_iter().flat_map(|part| part.join().expect("a thread that ends")).collect()
+    })
+}
+
 pub fn value(outcome: &Outcome, name: &str) -> f64 {
     outcome.estimate(name).expect(name).value
 }

@@ -104,6 +104,18 @@ impl Equations {
         }
     }
 
+    /// [`Equations::rates`] at the state that `set` writes, one value per state, SI units; `room` has the same length. Without an
+    /// order of the states it is written where f reads it.
+    #[inline]
+    pub fn rates_at(&mut self, time: f64, room: &mut [f64], out: &mut [f64], set: impl FnOnce(&mut [f64])) {
+        if self.order.is_none() {
+            self.ordered_rates(time, out, set);
+        } else {
+            set(room);
+            self.rates(time, room, out);
+        }
+    }
+
     /// Evaluates f at `time` (SI) with states and rates in the order of [`Equations::order`]; `set` writes the state.
     #[inline]
     pub fn ordered_rates(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {

@@ -89,6 +89,11 @@ impl Routine {
         self.code.copy_roots(out);
     }
 
+    /// Registers of the state, one per state, which [`Routine::evaluate_at`] reads.
+    pub(crate) fn state_mut(&mut self) -> &mut [f64] {
+        &mut self.code.registers[1..=self.states]
+    }
+
     /// Computes all roots at many times and one state, SI units. The values of root `i` start at `out[i * times.len()]` and
     /// have the bits of [`Routine::evaluate`].
     pub fn evaluate_rows(&mut self, times: &[f64], state: &[f64], out: &mut [f64]) {

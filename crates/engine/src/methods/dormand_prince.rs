@@ -88,8 +88,10 @@ impl DormandPrince {
         else {
             return;
         };
-        let state = |stage: &mut [f64]| weighted(stage, weights, known, from, |from, sum| from + size * sum);
-        equations.rates_at(time + NODES[NUMBER] * size, &mut self.stage, rates, state);
+        // Written where it is read, without a copy.
+        let state = equations.state_mut().unwrap_or(&mut self.stage);
+        weighted(state, weights, known, from, |from, sum| from + size * sum);
+        equations.rates_at_written(time + NODES[NUMBER] * size, &self.stage, rates);
     }
 
     /// Coefficients of the dense output of the last step of `size` (SI), from the state `from` to `to`: five lists of one per state.

@@ -104,15 +104,19 @@ impl Equations {
         }
     }
 
-    /// [`Equations::rates`] at the state that `set` writes, one value per state, SI units; `room` has the same length. Without an
-    /// order of the states it is written where f reads it.
-    #[inline]
-    pub fn rates_at(&mut self, time: f64, room: &mut [f64], out: &mut [f64], set: impl FnOnce(&mut [f64])) {
+    /// Where f reads the state, one value per state, SI units; `None` if it has another order there.
+    pub fn state_mut(&mut self) -> Option<&mut [f64]> {
+        self.order.is_none().then(|| self.rates.state_mut())
+    }
+
+    /// [`Equations::rates`] at the state written to [`Equations::state_mut`], or else at `state`.
+    // Not inlined: a method calls it for each of its stages.
+    #[inline(never)]
+    pub fn rates_at_written(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
         if self.order.is_none() {
-            self.ordered_rates(time, out, set);
+            self.ordered_rates(time, out, |_| ());
         } else {
-            set(room);
-            self.rates(time, room, out);
+            self.rates(time, state, out);
         }
     }
 

@@ -12,6 +12,7 @@ mod record;
 mod run;
 mod setup;
 mod start;
+mod wide;
 
 pub use code::instruction::{Operation, Register};
 pub use code::lines::Line;
@@ -39,3 +40,4 @@ pub use record::{AfterJump, Record};
 pub use record::{csv, table};
 pub use run::{Advance, CAPACITY, Run};
 pub use setup::Setup;
+pub use wide::{Wide, dot, run_wide, subtract_multiple};

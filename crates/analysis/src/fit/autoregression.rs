@@ -7,6 +7,7 @@
 
 use super::judgement::statistics;
 use super::linear::dot;
+use engine::{Wide, run_wide, subtract_multiple};
 
 /// Least number of values for which the correlation of neighbours is estimated.
 const LONG: usize = 12;
@@ -70,8 +71,7 @@ impl Autoregression {
                     let ratio = errors[other].variance / errors[place].variance.max(f64::MIN_POSITIVE);
                     rest.iter_mut().zip(share).for_each(|(rest, value)| *rest += ratio.min(1e12) * value);
                 }
-                errors[place] = block.solve(&rest);
-                shares[place] = block.products(errors[place].rho).0;
+                (errors[place], shares[place]) = block.solve(&rest);
             }
         }
         let mut covariance = priors.to_vec();
@@ -142,7 +142,7 @@ pub(crate) fn common_correlation<'a>(blocks: impl Iterator<Item = &'a Block>) ->
 pub(crate) fn subtract_projection<'a>(basis: impl IntoIterator<Item = &'a Vec<f64>>, values: &mut [f64]) {
     for column in basis {
         let part = dot(column, values);
-        values.iter_mut().zip(column).for_each(|(value, entry)| *value -= part * entry);
+        subtract_multiple(values, part, column);
     }
 }
 
@@ -208,7 +208,11 @@ impl Block {
     /// Expected sums of products of neighbouring residuals and of squares, for errors of unit variance. `rest` is the
     /// contribution of other series to the covariance of the coefficients.
     fn expected(&self, rho: f64, rest: &[f64]) -> (f64, f64) {
-        let (own, lagged) = self.products(rho);
+        self.expected_by(&self.products(rho), rho, rest)
+    }
+
+    /// [`Block::expected`] for known [`Block::products`] with this `rho`.
+    fn expected_by(&self, (own, lagged): &(Vec<f64>, f64), rho: f64, rest: &[f64]) -> (f64, f64) {
         let size = self.basis.len();
         let trace = (0..size).map(|k| own[k * size + k]).sum::<f64>();
         let whole: Vec<f64> = own.iter().zip(rest).map(|(own, rest)| own + rest).collect();
@@ -216,8 +220,9 @@ impl Block {
         (neighbours, self.count() - 2.0 * trace + dot(&whole, &self.own))
     }
 
-    /// Errors whose expected residuals match the observed ones, by fixed-point iteration.
-    fn solve(&self, rest: &[f64]) -> Errors {
+    /// Errors whose expected residuals match the observed ones, by fixed-point iteration, and the products of the basis with its
+    /// columns after [`correlated`] for their rho.
+    fn solve(&self, rest: &[f64]) -> (Errors, Vec<f64>) {
         let count = self.count();
         let mut rho: f64 = 0.0;
         if self.residuals.len() >= LONG {
@@ -234,13 +239,34 @@ impl Block {
                 }
             }
         }
-        self.errors(rho, self.expected(rho, rest).1)
+        let products = self.products(rho);
+        (self.errors(rho, self.expected_by(&products, rho, rest).1), products.0)
     }
 }
 
 /// Inner products of all pairs of columns, row by row.
 fn products(one: &[Vec<f64>], other: &[Vec<f64>]) -> Vec<f64> {
-    one.iter().flat_map(|one| other.iter().map(move |other| dot(one, other))).collect()
+    let mut products = vec![0.0; one.len() * other.len()];
+    run_wide(Products { one, other, products: &mut products });
+    products
+}
+
+/// Two lists of columns and [`products`] of them.
+struct Products<'a> {
+    one: &'a [Vec<f64>],
+    other: &'a [Vec<f64>],
+    products: &'a mut [f64],
+}
+
+impl Wide for Products<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for (products, one) in self.products.chunks_mut(self.other.len().max(1)).zip(self.one) {
+            for (product, other) in products.iter_mut().zip(self.other) {
+                *product = dot(one, other);
+            }
+        }
+    }
 }
 
 /// Half the sum of the row before and the row after.

@@ -1,5 +1,8 @@
 //! Linear algebra of least squares: QR decomposition, then singular values of the triangle.
 
+pub(crate) use engine::dot;
+use engine::{Wide, run_wide, subtract_multiple};
+
 /// Matrix of derivatives, column by column, one row per residual.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Jacobian {
@@ -37,20 +40,6 @@ pub(crate) fn norm(vector: &[f64]) -> f64 {
 pub(crate) fn quadratic(matrix: &[f64], x: &[f64]) -> f64 {
     let size = x.len();
     (0..size).fold(0.0, |sum, row| sum + x[row] * dot(&matrix[row * size..(row + 1) * size], x))
-}
-
-/// Inner product, in four partial sums: additions to a single sum would have to wait for each other.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let length = a.len().min(b.len());
-    let (a_fours, b_fours) = (a[..length].chunks_exact(4), b[..length].chunks_exact(4));
-    let rest = a_fours.remainder().iter().zip(b_fours.remainder()).fold(0.0, |sum, (a, b)| sum + a * b);
-    let mut sums = [0.0; 4];
-    for (a, b) in a_fours.zip(b_fours) {
-        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
-            *sum += a * b;
-        }
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
 /// Decomposition for a least-squares step with A and r. With A = Q R and the singular value decomposition R = U S V^T, it
@@ -180,44 +169,49 @@ fn triangulated(
 ) -> (Vec<f64>, usize, Vec<f64>) {
     let size = columns.len();
     let rows = jacobian.rows.max(size);
-    let mut tall = vec![0.0; rows * size];
-    for (place, &column) in columns.iter().enumerate() {
-        let to = &mut tall[place * rows..place * rows + jacobian.rows];
-        for (to, from) in to.iter_mut().zip(jacobian.column(column)) {
-            *to = from / scale[column];
-        }
+    let mut tall = Vec::with_capacity(rows * size);
+    for &column in columns {
+        let scale = scale[column];
+        tall.extend(jacobian.column(column).iter().map(|value| value / scale));
+        tall.resize(tall.len() + (rows - jacobian.rows), 0.0);
     }
     let mut right_side = residuals.to_vec();
     right_side.resize(rows, 0.0);
-    triangulate(&mut tall, rows, size, &mut right_side);
+    run_wide(Triangulation { tall: &mut tall, rows, size, right_side: &mut right_side });
     (tall, rows, right_side)
 }
 
-/// Reduces `tall` to a triangle by Householder reflections and applies them to `right_side` as well (Golub & Van Loan,
-/// Matrix Computations, section 5.2).
-fn triangulate(tall: &mut [f64], rows: usize, size: usize, right_side: &mut [f64]) {
-    for step in 0..size {
-        let (done, rest) = tall.split_at_mut((step + 1) * rows);
-        let mirror = &mut done[step * rows + step..];
-        let length = norm(mirror);
-        if length == 0.0 {
-            continue;
-        }
-        let diagonal = if mirror[0] > 0.0 { -length } else { length };
-        mirror[0] -= diagonal;
-        let half_square = -diagonal * mirror[0];
-        let reflect = |column: &mut [f64]| {
-            let factor = dot(mirror, column) / half_square;
-            for (value, mirror) in column.iter_mut().zip(mirror.iter()) {
-                *value -= factor * mirror;
+/// Reduction of `tall`, `size` columns of `rows`, to a triangle by Householder reflections, which are applied to `right_side` as well
+/// (Golub & Van Loan, Matrix Computations, section 5.2).
+struct Triangulation<'a> {
+    tall: &'a mut [f64],
+    rows: usize,
+    size: usize,
+    right_side: &'a mut [f64],
+}
+
+impl Wide for Triangulation<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { tall, rows, size, right_side } = self;
+        for step in 0..size {
+            let (done, rest) = tall.split_at_mut((step + 1) * rows);
+            let mirror = &mut done[step * rows + step..];
+            let length = dot(mirror, mirror).sqrt();
+            if length == 0.0 {
+                continue;
             }
-        };
-        for column in rest.chunks_mut(rows) {
-            reflect(&mut column[step..]);
+            let diagonal = if mirror[0] > 0.0 { -length } else { length };
+            mirror[0] -= diagonal;
+            let half_square = -diagonal * mirror[0];
+            for column in rest.chunks_mut(rows).chain([&mut *right_side]) {
+                let column = &mut column[step..];
+                let factor = dot(mirror, column) / half_square;
+                subtract_multiple(column, factor, mirror);
+            }
+            mirror.fill(0.0);
+            mirror[0] = diagonal;
         }
-        reflect(&mut right_side[step..]);
-        mirror.fill(0.0);
-        mirror[0] = diagonal;
     }
 }
 

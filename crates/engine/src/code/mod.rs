@@ -94,6 +94,18 @@ pub(crate) fn run<const ROWS: usize>(
     interpolations: &[Arc<Interpolation>],
     systems: &mut [Elimination],
 ) {
+    run_inline(code, registers, columns, interpolations, systems);
+}
+
+/// [`run`], compiled with the processor features of the caller.
+#[inline(always)]
+fn run_inline<const ROWS: usize>(
+    code: &[Instruction],
+    registers: &mut [[f64; ROWS]],
+    columns: &[Column],
+    interpolations: &[Arc<Interpolation>],
+    systems: &mut [Elimination],
+) {
     for &instruction in code {
         match instruction {
             Instruction::Add(to, a, b) => each(registers, to, [a, b], |[a, b]| a + b),
@@ -110,7 +122,12 @@ pub(crate) fn run<const ROWS: usize>(
             Instruction::Binomial(to, trials, probability, stream) => {
                 each(registers, to, [trials, probability, stream], |[n, p, stream]| program::binomial(n, p, stream));
             }
-            Instruction::Unary(function, to, a) => each(registers, to, [a], |[a]| function.evaluate(a)),
+            Instruction::Unary(function, to, a) if ROWS == 1 => each(registers, to, [a], |[a]| function.evaluate(a)),
+            Instruction::Unary(function, to, a) => {
+                let mut values = registers[a as usize];
+                function.evaluate_all(&mut values);
+                registers[to as usize] = values;
+            }
             Instruction::Binary(function, to, a, b) => each(registers, to, [a, b], |[a, b]| function.evaluate(a, b)),
             Instruction::Piece(number, to, x) => {
                 let interpolation = &interpolations[number as usize];

@@ -3,8 +3,9 @@
 use super::compile::compile;
 use crate::code::instruction::Operation;
 use crate::code::lines::{Line, lines};
-use crate::code::{Code, Register, run};
+use crate::code::{Code, Register, run, run_inline};
 use crate::compiled::listing::{Formulas, Preparation};
+use crate::wide::{Wide, run_wide};
 use program::{Graph, Interpolation, Model, NodeId};
 use std::sync::Arc;
 
@@ -88,21 +89,19 @@ impl Routine {
         self.code.copy_roots(out);
     }
 
+    /// Registers of the state, one per state, which [`Routine::evaluate_at`] reads.
+    pub(crate) fn state_mut(&mut self) -> &mut [f64] {
+        &mut self.code.registers[1..=self.states]
+    }
+
     /// Computes all roots at many times and one state, SI units. The values of root `i` start at `out[i * times.len()]` and
     /// have the bits of [`Routine::evaluate`].
     pub fn evaluate_rows(&mut self, times: &[f64], state: &[f64], out: &mut [f64]) {
-        let Code { body, columns, interpolations, systems, registers, roots, .. } = &mut self.code;
+        let registers = &mut self.code.registers;
         registers[1..=self.states].copy_from_slice(&state[..self.states]);
         self.rows.clear();
         self.rows.extend(registers.iter().map(|&value| [value; ROWS]));
-        for (chunk, some) in times.chunks(ROWS).enumerate() {
-            self.rows[0][..some.len()].copy_from_slice(some);
-            run(body, &mut self.rows, columns, interpolations, systems);
-            for (column, &register) in out.chunks_mut(times.len()).zip(&*roots) {
-                let values = &self.rows[register as usize][..some.len()];
-                column[chunk * ROWS..][..some.len()].copy_from_slice(values);
-            }
-        }
+        run_wide(Rows { code: &mut self.code, rows: &mut self.rows, times, out });
     }
 
     /// The operations of an evaluation; `None` if it solves linear systems.
@@ -166,6 +165,29 @@ impl Routine {
     /// True if the last evaluation met a singular linear system.
     pub(crate) fn singular(&self) -> bool {
         self.code.systems.iter().any(|system| system.matrix.singular())
+    }
+}
+
+/// Evaluation at many times: the code, its registers by row, the times, and what [`Routine::evaluate_rows`] finds.
+struct Rows<'a> {
+    code: &'a mut Code,
+    rows: &'a mut [[f64; ROWS]],
+    times: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl Wide for Rows<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { code: Code { body, columns, interpolations, systems, roots, .. }, rows, times, out } = self;
+        for (chunk, some) in times.chunks(ROWS).enumerate() {
+            rows[0][..some.len()].copy_from_slice(some);
+            run_inline(body, rows, columns, interpolations, systems);
+            for (column, &register) in out.chunks_mut(times.len()).zip(&*roots) {
+                let values = &rows[register as usize][..some.len()];
+                column[chunk * ROWS..][..some.len()].copy_from_slice(values);
+            }
+        }
     }
 }
 

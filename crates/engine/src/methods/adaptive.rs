@@ -309,16 +309,32 @@ impl Adaptive {
     }
 
     /// Error in units of the allowed error: root mean square over the states.
-    fn error_norm(&self) -> f64 {
-        let mut sum = 0.0;
-        for (k, error) in self.error.iter().enumerate() {
-            let size = self.last.to[k].abs().max(self.attempt[k].abs());
-            let scale = self.tolerance * size.max(self.below_peak * self.last.peaks[k]).max(self.floors[k]);
-            let ratio = error / scale;
-            // A value that is not finite must not be hidden by `max`, which ignores NaN.
-            sum += if self.attempt[k].is_finite() { ratio * ratio } else { f64::NAN };
-        }
+    fn error_norm(&mut self) -> f64 {
+        let allowed = (self.tolerance, self.below_peak);
+        square_errors(&mut self.error, [&self.last.to, &self.attempt, &self.last.peaks, &self.floors], allowed);
+        let sum = self.error.iter().fold(0.0, |sum, square| sum + square);
         (sum / self.error.len().max(1) as f64).sqrt()
+    }
+}
+
+/// The greater one of two numbers that are not NaN, in one instruction.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// Replaces each error by its square in units of the allowed error, several states at once: `tolerance` times the magnitude of the
+/// state before and after the step, or times its least magnitude; NaN for a state that is not finite. SI units, one value per state.
+// Not inlined: the compiler then knows that `errors` overlaps with nothing that is read.
+#[inline(never)]
+fn square_errors(errors: &mut [f64], numbers: [&[f64]; 4], (tolerance, below_peak): (f64, f64)) {
+    let [before, after, peaks, floors] = numbers.map(|numbers| &numbers[..errors.len()]);
+    for (k, error) in errors.iter_mut().enumerate() {
+        let size = greater(before[k].abs(), after[k].abs());
+        let scale = tolerance * greater(greater(size, below_peak * peaks[k]), floors[k]);
+        let ratio = *error / scale;
+        // A value that is not finite must not be hidden by a comparison.
+        *error = if after[k].is_finite() { ratio * ratio } else { f64::NAN };
     }
 }
 

@@ -9,6 +9,7 @@ use super::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES}
 #[derive(Clone, Debug)]
 pub(crate) struct DormandPrince {
     rates: [Vec<f64>; STAGES],
+    /// Room for the state of a stage.
     stage: Vec<f64>,
     /// True if the first stage is known from the previous step.
     first_known: bool,
@@ -69,8 +70,12 @@ impl DormandPrince {
         self.stage::<3>(equations, (time, size), from);
         self.stage::<4>(equations, (time, size), from);
         self.stage::<5>(equations, (time, size), from);
-        self.stage::<6>(equations, (time, size), from);
-        to.copy_from_slice(&self.stage);
+        // The state of the last stage is the result.
+        let [known @ .., last] = &mut self.rates;
+        if let Some(weights) = STAGE_WEIGHTS[STAGES - 1].first_chunk() {
+            weighted(to, weights, known, from, |from, sum| from + size * sum);
+        }
+        equations.rates(time + NODES[STAGES - 1] * size, to, last);
         weighted(error, &ERROR_WEIGHTS, &self.rates, from, |_, sum| sum * size);
     }
 
@@ -83,8 +88,10 @@ impl DormandPrince {
         else {
             return;
         };
-        weighted(&mut self.stage, weights, known, from, |from, sum| from + size * sum);
-        equations.rates(time + NODES[NUMBER] * size, &self.stage, rates);
+        // Written where it is read, without a copy.
+        let state = equations.state_mut().unwrap_or(&mut self.stage);
+        weighted(state, weights, known, from, |from, sum| from + size * sum);
+        equations.rates_at_written(time + NODES[NUMBER] * size, &self.stage, rates);
     }
 
     /// Coefficients of the dense output of the last step of `size` (SI), from the state `from` to `to`: five lists of one per state.
@@ -129,7 +136,9 @@ fn weighted<const COUNT: usize>(
     from: &[f64],
     result: impl Fn(f64, f64) -> f64,
 ) {
+    // With all lengths known to be equal, the loop has no rest that is computed state by state.
     let rates = rates.each_ref().map(|rates| &rates[..to.len()]);
+    let from = &from[..to.len()];
     for (k, (to, from)) in to.iter_mut().zip(from).enumerate() {
         let mut sum = 0.0;
         for (weight, rates) in weights.iter().zip(&rates) {

@@ -104,6 +104,22 @@ impl Equations {
         }
     }
 
+    /// Where f reads the state, one value per state, SI units; `None` if it has another order there.
+    pub fn state_mut(&mut self) -> Option<&mut [f64]> {
+        self.order.is_none().then(|| self.rates.state_mut())
+    }
+
+    /// [`Equations::rates`] at the state written to [`Equations::state_mut`], or else at `state`.
+    // Not inlined: a method calls it for each of its stages.
+    #[inline(never)]
+    pub fn rates_at_written(&mut self, time: f64, state: &[f64], out: &mut [f64]) {
+        if self.order.is_none() {
+            self.ordered_rates(time, out, |_| ());
+        } else {
+            self.rates(time, state, out);
+        }
+    }
+
     /// Evaluates f at `time` (SI) with states and rates in the order of [`Equations::order`]; `set` writes the state.
     #[inline]
     pub fn ordered_rates(&mut self, time: f64, out: &mut [f64], set: impl FnOnce(&mut [f64])) {

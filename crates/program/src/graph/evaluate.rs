@@ -38,6 +38,23 @@ impl Unary {
     }
 }
 
+impl Unary {
+    /// Replaces each of `values` by the value there, with the bits of [`Unary::evaluate`]. The most frequent functions are computed
+    /// in lanes with the processor features of the caller, except in pages, whose modules have no registers for lanes.
+    #[inline(always)]
+    pub fn evaluate_all(self, values: &mut [f64]) {
+        match self {
+            Self::Exp if LANES => elementary::exp_all(values),
+            Self::Sin if LANES => elementary::sin_all(values),
+            Self::Cos if LANES => elementary::cos_all(values),
+            _ => values.iter_mut().for_each(|value| *value = self.evaluate(*value)),
+        }
+    }
+}
+
+/// True if functions are computed in lanes.
+const LANES: bool = cfg!(not(target_arch = "wasm32"));
+
 impl Binary {
     /// Value at `a` and `b`.
     pub fn evaluate(self, a: f64, b: f64) -> f64 {
@@ -99,6 +116,21 @@ mod tests {
             assert!(binary.evaluate(1.0, f64::NAN).is_nan());
         }
         assert!(Unary::Sign.evaluate(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn values_of_many_arguments_have_the_bits_of_each() {
+        let arguments: Vec<f64> =
+            (0..61).map(|place| 1e5 * libm::sin(f64::from(place))).chain([f64::INFINITY, 0.3]).collect();
+        for function in [Unary::Exp, Unary::Sin, Unary::Cos, Unary::Tanh, Unary::Negate] {
+            let mut values = arguments.clone();
+            function.evaluate_all(&mut values);
+            for (value, argument) in values.iter().zip(&arguments) {
+                let alone = function.evaluate(*argument);
+                let same = value.to_bits() == alone.to_bits() || value.is_nan() && alone.is_nan();
+                assert!(same, "{function:?} of {argument}: {value} and {alone}");
+            }
+        }
     }
 
     #[test]

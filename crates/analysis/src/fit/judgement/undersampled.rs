@@ -3,7 +3,6 @@
 
 use crate::fit::search::Search;
 use crate::fit::search::problem::Problem;
-use crate::fit::search::start::halton;
 use crate::fit::task::plan::Plan;
 use crate::sampling;
 use engine::Routine;
@@ -39,8 +38,8 @@ fn is_undersampled(problem: &mut Problem, (record, plan): (usize, &Plan), best: 
     let interval = sampling.interval;
     let intervals = ((last - first) / interval) as usize;
     // Irregular times, so that an oscillation faster than these points is not taken for a slow one.
-    let time = |number: usize| first + interval * (number as f64 + halton(number, 1)) / BETWEEN as f64;
-    let times: Vec<f64> = (0..intervals.min(MOST) * BETWEEN).map(time).collect();
+    let time = |(number, part): (usize, f64)| first + interval * (number as f64 + part) / BETWEEN as f64;
+    let times: Vec<f64> = (0..intervals.min(MOST) * BETWEEN).zip(Irregular::new()).map(time).collect();
     let values = curves(problem, (record, plan), &best.x, &times);
     Some(values.chunks(times.len().max(1)).any(|values| {
         let turns = turns(values);
@@ -49,6 +48,44 @@ fn is_undersampled(problem: &mut Problem, (record, plan): (usize, &Plan), best: 
         let lasts = times[end] - times[begin] + 2.0 * interval / BETWEEN as f64;
         turns.len() >= LEAST && lasts < (turns.len() - 1) as f64 * interval
     }))
+}
+
+/// Coordinates of the Halton sequence in base 3: the digits of 1, 2, 3 ... mirrored at the point. Counting digit by digit takes a
+/// few operations where a number takes a division per digit.
+struct Irregular {
+    /// Digits of the number in base 3, the lowest first.
+    digits: [f64; Self::DIGITS],
+    /// Number of digits without leading zeros.
+    used: usize,
+    /// Value of a 1 at each digit: 1/3, 1/9 ...
+    parts: [f64; Self::DIGITS],
+}
+
+impl Irregular {
+    /// Digits of the greatest number, and some more.
+    const DIGITS: usize = 16;
+
+    fn new() -> Self {
+        let mut part = 1.0;
+        let parts = std::array::from_fn(|_| {
+            part /= 3.0;
+            part
+        });
+        Self { digits: [0.0; Self::DIGITS], used: 0, parts }
+    }
+}
+
+impl Iterator for Irregular {
+    type Item = f64;
+
+    fn next(&mut self) -> Option<f64> {
+        let raised = self.digits.iter().position(|digit| *digit < 2.0)?;
+        self.digits[..raised].fill(0.0);
+        self.digits[raised] += 1.0;
+        self.used = self.used.max(raised + 1);
+        let digits = self.digits.iter().zip(&self.parts).take(self.used);
+        Some(digits.fold(0.0, |sum, (digit, part)| sum + part * digit))
+    }
 }
 
 /// Values of the model at ascending `times` for the first observation of a record, then for the second, and so on: exact to a small
@@ -83,4 +120,17 @@ fn turns(values: &[f64]) -> Vec<usize> {
         }
     }
     turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Irregular;
+    use crate::fit::search::start::halton;
+
+    #[test]
+    fn irregular_points_are_those_of_the_halton_sequence_to_the_bit() {
+        for (number, part) in (0..20_000).zip(Irregular::new()) {
+            assert_eq!(part.to_bits(), halton(number, 1).to_bits(), "{number}");
+        }
+    }
 }

@@ -73,17 +73,21 @@ impl Motion {
         let stepper = &mut self.stepper;
         stepper.begin(parameters.to_vec(), &self.start);
         let (evaluations, work) = (stepper.evaluations(), stepper.work());
-        let spent = self.spent;
+        let (spent, mut made) = (self.spent, evaluations);
         let mut roots = vec![0.0; routine.len()];
         for (row, &time) in times.iter().enumerate() {
             if time > stepper.time() {
                 if stepper.advance_to(time).is_err() {
                     return row;
                 }
-                self.spent = spent + (stepper.work() - work);
-                if stepper.evaluations() - evaluations > MOST_EVALUATIONS || self.spent > MOST_WORK {
-                    self.gave_up = true;
-                    return row;
+                // Most times lie within the last step and need no evaluation.
+                if stepper.evaluations() != made {
+                    made = stepper.evaluations();
+                    self.spent = spent + (stepper.work() - work);
+                    if made - evaluations > MOST_EVALUATIONS || self.spent > MOST_WORK {
+                        self.gave_up = true;
+                        return row;
+                    }
                 }
             }
             routine.evaluate(time, stepper.state(), &mut roots);

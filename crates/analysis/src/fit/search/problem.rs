@@ -47,6 +47,8 @@ pub(crate) struct Problem {
     rough: bool,
     /// Buffer for the times of the model.
     clock: Vec<f64>,
+    /// Buffer for the points of a record: place of each in the first column of the curve's values, and its total weight.
+    places: Vec<(usize, f64)>,
 }
 
 /// Greatest number of values that solutions computed side by side have together: 32 MB.
@@ -102,6 +104,7 @@ impl Problem {
             precision: 0,
             rough: false,
             clock: Vec::new(),
+            places: Vec::new(),
         };
         problem.weigh(&problem.spread());
         Ok(problem)
@@ -301,29 +304,36 @@ impl Problem {
         let known = self.curve.follow(&parameters, &self.clock);
         let points = &plan.points[..plan.points.partition_point(|point| point.row < known)];
         let values = self.curve.values();
-        let place = |point: &Point, column| (plan.expressions[point.observation] * stride + column) * rows + point.row;
+        let place = |point: &Point| (plan.expressions[point.observation] * stride * rows + point.row, point.factor());
+        self.places.clear();
+        self.places.extend(points.iter().map(place));
+        let places = self.places.as_slice();
         let residuals = &mut residuals[base..][..points.len()];
-        for (residual, point) in residuals.iter_mut().zip(points) {
-            *residual = values[place(point, 0)];
+        for (residual, (place, _)) in residuals.iter_mut().zip(places) {
+            *residual = values[*place];
         }
         for (number, column) in self.columns.iter().enumerate() {
             let slopes = &mut jacobian.column_mut(number)[base..][..points.len()];
-            let rows = slopes.iter_mut().zip(points);
+            // Values of one column of the curve, and those after it.
+            let column_of_curve = |column: usize| &values[column * rows..];
             match column.target() {
                 _ if !column.belongs_to(record) => slopes.fill(0.0),
                 Some(Target::Parameter(index)) => {
-                    let of_parameter = self.curve.place(index);
-                    rows.for_each(|(slope, point)| *slope = point.factor() * values[place(point, of_parameter)]);
+                    let values = column_of_curve(self.curve.place(index));
+                    for (slope, (place, factor)) in slopes.iter_mut().zip(places) {
+                        *slope = factor * values[*place];
+                    }
                 }
                 Some(Target::Origin) => {
                     // Points at rest before the origin do not depend on it.
                     let moves = |point: &Point| plan.times[point.row] - origin >= earliest;
-                    rows.for_each(|(slope, point)| {
-                        *slope = if moves(point) { point.factor() * -values[place(point, stride - 1)] } else { 0.0 };
-                    });
+                    let values = column_of_curve(stride - 1);
+                    for ((slope, point), (place, factor)) in slopes.iter_mut().zip(points).zip(places) {
+                        *slope = if moves(point) { factor * -values[*place] } else { 0.0 };
+                    }
                 }
                 Some(Target::Offset(observation)) => {
-                    for ((slope, point), residual) in rows.zip(residuals.iter_mut()) {
+                    for ((slope, point), residual) in slopes.iter_mut().zip(points).zip(residuals.iter_mut()) {
                         let own = point.observation == observation;
                         *slope = if own { point.factor() } else { 0.0 };
                         *residual += if own { x[number] } else { 0.0 };
@@ -338,8 +348,8 @@ impl Problem {
             let powers = self.task.records[record].observations.iter().map(columns::power_of_length).collect();
             scale::apply(powers, (number, x[number]), points, (base, residuals, jacobian));
         }
-        for (residual, point) in residuals.iter_mut().zip(points) {
-            *residual = point.factor() * (*residual - point.value);
+        for ((residual, point), (_, factor)) in residuals.iter_mut().zip(points).zip(places) {
+            *residual = factor * (*residual - point.value);
         }
         known == rows
     }

@@ -83,9 +83,12 @@ fn add_scores(left: &Left, series: &[(usize, usize)], scores: &mut [Vec<f64>]) {
 /// Sums over all windows of this length that overlap the series. The sum of their products, divided by the length, gives
 /// the products of the series at all lags with Bartlett weights.
 fn sliding_sums(series: &[f64], window: usize) -> Vec<f64> {
-    (0..series.len() + window - 1)
-        .map(|end| series[(end + 1).saturating_sub(window)..series.len().min(end + 1)].iter().sum())
-        .collect()
+    let mut sums = vec![-0.0; series.len() + window - 1];
+    // Each sum from its first value on; many of them at once.
+    for offset in (0..window).rev() {
+        sums[offset..].iter_mut().zip(series).for_each(|(sum, value)| *sum += value);
+    }
+    sums
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Compares columns with single instructions.
 
 use super::*;
+use crate::Routine;
 use crate::code::run;
 
 /// A generator of arbitrary numbers below a bound (Knuth's MMIX).
@@ -110,4 +111,26 @@ fn a_chain_is_a_few_columns() {
     let expected = [(Operation::SubtractProduct, 998), (Operation::Add, 998), (Operation::Multiply, 998)];
     assert_eq!(columns, expected);
     assert_eq!((code.body.len(), code.rows.len()), (3, 1));
+}
+
+/// Rows are computed with wider registers, many at once.
+#[test]
+fn rows_have_the_bits_of_single_evaluations() {
+    let mut arbitrary = Arbitrary(3);
+    let (graph, roots) = graph(&mut arbitrary);
+    let mut routine = Routine::from_graph(&graph, STATES, &roots);
+    let state: Vec<f64> = (0..STATES).map(|place| 0.1 * place as f64 - 2.0).collect();
+    routine.prepare(&[0.7, -1.3], &state);
+    let times: Vec<f64> = (0..37).map(|row| 0.21 * f64::from(row)).collect();
+    let mut rows = vec![0.0; roots.len() * times.len()];
+    routine.evaluate_rows(&times, &state, &mut rows);
+    let mut values = vec![0.0; roots.len()];
+    for (row, &time) in times.iter().enumerate() {
+        routine.evaluate(time, &state, &mut values);
+        for (root, value) in values.iter().enumerate() {
+            let found = rows[root * times.len() + row];
+            let same = found.to_bits() == value.to_bits() || found.is_nan() && value.is_nan();
+            assert!(same, "root {root} at {time}: {found} and {value}");
+        }
+    }
 }

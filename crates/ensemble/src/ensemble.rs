@@ -28,7 +28,7 @@ pub struct Ensemble {
     pub(crate) rates: Body,
     pub(crate) readings: Body,
     initial: Body,
-    pub(crate) ends: Ends,
+    ends: Ends,
     /// The state to start from, if it is not that of the model.
     start: Option<Vec<f64>>,
     pub(crate) grid: Times,
@@ -196,6 +196,30 @@ impl Ensemble {
             Method::Fixed(_) => self.advance_fixed(alone, take),
             Method::Adaptive(..) => self.advance_adaptive(alone, take),
         }
+    }
+
+    /// Reads these nodes also at the ends of runs. `further`: number of parameters that follow those of the model.
+    ///
+    /// # Errors
+    /// The nodes are solutions of linear systems, which are found run by run.
+    pub fn with_ends(self, model: &Model, nodes: &[NodeId], further: usize) -> Result<Self, NoLanes> {
+        Ok(Self { ends: Ends::new(model, nodes, further)?, ..self })
+    }
+
+    /// Evaluates the nodes of [`Ensemble::with_ends`] at the last row of each run at or before its end. `set` gets the index of a run
+    /// and sets its further parameters, SI units.
+    pub fn evaluate_ends(&mut self, set: &mut dyn FnMut(usize, &mut [f64])) {
+        self.ends.evaluate(&self.lanes, self.width, set);
+    }
+
+    /// Value of a node at the end of a run, SI units, after [`Ensemble::evaluate_ends`].
+    pub fn value_at_end(&self, run: usize, node: usize) -> f64 {
+        self.ends.value(run, node)
+    }
+
+    /// Error of a run; `None` if it has none. An event that ends the run is none.
+    pub fn error(&self, run: usize) -> Option<&RunError> {
+        self.lanes.errors[run].as_ref()
     }
 
     /// Number of operations in all lanes of the last runs.

@@ -25,7 +25,8 @@ def site(folder, content, wheel):
     words = ["--lite-dir", folder, "--contents", content, "--output-dir", built]
     for path in [*sorted(wheels.iterdir()), wheel]:
         words += ["--piplite-wheels", path]
-    run("jupyterlite_core", "build", *words)
+    # It notes what it has built in the current folder.
+    run("jupyterlite_core", "build", *words, where=folder)
     pyodide(built / "pyodide")
     return built
 
@@ -54,6 +55,6 @@ def download(folder, packages):
     run("pip", "download", "--quiet", *choice, *packages)
 
 
-def run(module, *words):
-    done = subprocess.run([sys.executable, "-m", module, *map(str, words)], capture_output=True, text=True, timeout=600)
+def run(module, *words, where=None):
+    done = subprocess.run([sys.executable, "-m", module, *map(str, words)], capture_output=True, text=True, timeout=600, cwd=where)
     assert done.returncode == 0, done.stdout + done.stderr

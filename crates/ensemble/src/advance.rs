@@ -229,10 +229,7 @@ impl Ensemble {
         let Self { method: Method::Adaptive(steps, checks), rates, lanes, grid, .. } = self else { return };
         let [parameters, initial] = lanes.begun(lane);
         let last = steps.last(lane);
-        let mut state = last.to.clone();
-        if time.is_some() {
-            intervals.present.lane(lane, &mut state);
-        }
+        let state = if time.is_some() { intervals.present.list(lane) } else { last.to.clone() };
         let armed = checks.as_ref().map(|checks| checks.armed(lane)).unwrap_or_default();
         let (time, made) = (time.unwrap_or(last.end), lanes.steps[lane]);
         let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: made };
@@ -273,8 +270,7 @@ impl Ensemble {
         }
         let [parameters, initial] = lanes.begun(lane);
         let last = steps.last(lane);
-        let mut state = last.to.clone();
-        intervals.present.lane(lane, &mut state);
+        let state = intervals.present.list(lane);
         let armed = checks.as_ref().map(|checks| checks.armed(lane)).unwrap_or_default();
         let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: 0 };
         let mut take = |time: f64, values: &[f64]| take(lane, time, values);

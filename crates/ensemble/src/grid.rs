@@ -89,11 +89,6 @@ impl Grid {
         values.iter().enumerate().for_each(|(row, &value)| self.set(row, lane, value));
     }
 
-    /// Copies the numbers of a lane.
-    pub fn lane(&self, lane: usize, out: &mut [f64]) {
-        out.iter_mut().enumerate().for_each(|(row, value)| *value = self.get(row, lane));
-    }
-
     /// The numbers of a lane, one for each row.
     pub fn list(&self, lane: usize) -> Vec<f64> {
         (0..self.rows()).map(|row| self.get(row, lane)).collect()

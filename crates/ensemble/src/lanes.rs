@@ -23,7 +23,7 @@ pub(crate) struct Lanes {
     pub last_time: Grid,
     pub last: Grid,
     pub errors: Vec<Option<RunError>>,
-    /// What is read at a row.
+    /// Values that are read at a row.
     pub values: Vec<f64>,
 }
 

@@ -36,9 +36,7 @@ impl Unary {
             Self::Exponential => chance::exponential(x),
         }
     }
-}
 
-impl Unary {
     /// Replaces each of `values` by the value there, with the bits of [`Unary::evaluate`]. The most frequent functions are computed
     /// in lanes with the processor features of the caller, except in pages, whose modules have no registers for lanes.
     #[inline(always)]

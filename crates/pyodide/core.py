@@ -51,6 +51,7 @@ def _load():
 _module = _load()
 _surroundings = create_proxy(_Surroundings())
 __version__ = _module.version()
+BITS = _module.bits()
 
 
 class Opened:

@@ -4,6 +4,7 @@
 use crate::{source, words};
 use js_sys::JSON;
 use play::{Answer, Attempt, Fact, FactValue, Play, facts_of_answers, facts_of_run, name_of};
+use program::{BITS, VERSION};
 use view::views::*;
 use view::{App, browser, page::handing, pieces::icons};
 use wasm_bindgen::JsValue;
@@ -68,9 +69,9 @@ fn made(play: &mut Play, name: &str) -> Option<(String, String, usize)> {
     let documents = files.iter().map(|(name, text)| format!("{{\"name\":{},\"text\":{}}}", quoted(name), quoted(text)));
     let [version, project, _] = VERSIONS;
     let written = format!(
-        "{{\"meniscus hand-in\":{version},\"program\":{},\"made\":{now},\"sender\":{{\"name\":{}{seat}}},\
+        "{{\"meniscus hand-in\":{version},\"program\":{},\"bits\":{BITS},\"made\":{now},\"sender\":{{\"name\":{}{seat}}},\
          \"work\":{{\"meniscus project\":{project},\"documents\":{},\"state\":{},\"items\":{}}},\"facts\":{}}}",
-        quoted(env!("CARGO_PKG_VERSION")),
+        quoted(VERSION),
         quoted(name),
         list(documents),
         quoted(&state),

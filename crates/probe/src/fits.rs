@@ -72,18 +72,27 @@ impl Fits {
 }
 
 impl Fits {
+    /// Result of a fit of the formula.
+    pub(crate) fn formula_outcome(&self) -> Result<Outcome, String> {
+        self.outcome(0)
+    }
+
+    /// Result of a fit of the equation of motion.
+    pub(crate) fn motion_outcome(&self) -> Result<Outcome, String> {
+        self.outcome(1)
+    }
+
     fn fit(&self, which: usize, count: u32) -> Result<f64, String> {
-        let mut rmse = 0.0;
-        for _ in 0..count {
-            let task = self.tasks[which].clone();
-            let mut fit = Fit::new(&self.documents[which].program.model, task).map_err(|error| error.to_string())?;
-            if self.emits {
-                fit.compile(|listing| host::compile(Ok(listing)).ok());
-            }
-            fit.complete();
-            let outcome: Outcome = fit.outcome().filter(|outcome| outcome.converged).ok_or("no end")?;
-            rmse = outcome.rmse;
+        (0..count).try_fold(0.0, |_, _| Ok(self.outcome(which)?.rmse))
+    }
+
+    fn outcome(&self, which: usize) -> Result<Outcome, String> {
+        let task = self.tasks[which].clone();
+        let mut fit = Fit::new(&self.documents[which].program.model, task).map_err(|error| error.to_string())?;
+        if self.emits {
+            fit.compile(|listing| host::compile(Ok(listing)).ok());
         }
-        Ok(rmse)
+        fit.complete();
+        Ok(fit.outcome().filter(|outcome| outcome.converged).ok_or("no end")?)
     }
 }

@@ -1,5 +1,6 @@
-//! Golden runs: documents whose runs must have the same bits on every machine.
+//! Golden runs: documents whose runs must have the same bits on every machine, with the golden results of measured data.
 
+use crate::measured::golden_measured;
 use engine::{Advance, Compiler, Method, Run, Setup};
 use program::Seat;
 use units::split_mix::scramble;
@@ -46,7 +47,7 @@ const ASSIGNED: &str = include_str!("../golden/assigned.md");
 const SEATS: u32 = 25_000;
 
 /// Fingerprints of all golden runs, one line each: `name method end fingerprint`, and of the values assigned to seats:
-/// `assigned seats learners fingerprint`. They are stored in `golden.txt`.
+/// `assigned seats learners fingerprint`, and golden results of measured data. They are stored in `golden.txt`.
 #[wasm_bindgen]
 pub fn golden() -> String {
     listed(fingerprint)
@@ -65,7 +66,7 @@ fn listed(fingerprint: impl Fn(&str, &str, f64) -> String) -> String {
         format!("{name} {} {until} {found}\n", method.name())
     });
     let assigned = assigned().unwrap_or_else(|message| message);
-    runs.chain([format!("assigned {SEATS} {SEATS} {assigned}\n")]).collect()
+    runs.chain([format!("assigned {SEATS} {SEATS} {assigned}\n"), golden_measured()]).collect()
 }
 
 /// Hash of the values of the first seats, and of the seats of as many learners.

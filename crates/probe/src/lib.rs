@@ -1,10 +1,11 @@
-//! Programs that tests and benchmarks run both natively and in WebAssembly: golden runs, whose bits must be equal
-//! everywhere, and steps, fits and checks of documents, whose speed is measured.
+//! Programs that tests and benchmarks run both natively and in WebAssembly: golden runs and results, whose
+//! bits must be equal everywhere, and steps, fits and checks of documents, whose speed is measured.
 
 mod beside;
 mod fits;
 mod golden;
 mod long;
+mod measured;
 mod pace;
 mod shipped;
 mod systems;

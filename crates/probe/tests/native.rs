@@ -16,6 +16,23 @@ fn golden_runs_have_the_bits_in_the_repository() {
     }
 }
 
+/// `bits.txt` has a line for each number of the bits and the hash of `golden.txt` at that number.
+#[test]
+fn the_number_of_the_bits_belongs_to_the_golden_runs() {
+    let stated: Vec<(u32, &str)> = include_str!("../bits.txt")
+        .lines()
+        .filter_map(|line| line.split_once(' '))
+        .map(|(bits, hash)| (bits.parse().unwrap(), hash))
+        .collect();
+    assert!(stated.windows(2).all(|lines| lines[0].0 < lines[1].0), "{stated:?}");
+    let hash = format!("{:016x}", units::fnv::hashed(units::fnv::START, *include_bytes!("../golden.txt")));
+    assert_eq!(
+        stated.last(),
+        Some(&(program::BITS, hash.as_str())),
+        "if golden.txt changed, so did results: raise program::BITS and add a line to bits.txt; lines that stand stay"
+    );
+}
+
 #[test]
 fn both_loops_solve_the_same_equation() {
     let pace = Pace::new().unwrap();

@@ -19,6 +19,7 @@ mod scene;
 mod seating;
 mod speed;
 mod survey;
+mod version;
 
 pub use assigned::{Assigned, Grid, GridFault, Seat};
 pub use bandwidth::{band_width, banded_order, bandwidth, places};
@@ -41,3 +42,4 @@ pub use questions::{Question, QuestionText, Tolerance};
 pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, Trail, write_attribute};
 pub use speed::Speed;
 pub use survey::{SurveyItem, SurveyKind, SurveyText};
+pub use version::{BITS, VERSION, VERSION_AND_BITS};

@@ -33,7 +33,13 @@ pub fn open(python: &Python, request: &str) -> Array {
 /// Version of the package.
 #[wasm_bindgen]
 pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
+    program::VERSION.to_owned()
+}
+
+/// Number of the bits of the results ([`program::BITS`]).
+#[wasm_bindgen]
+pub fn bits() -> u32 {
+    program::BITS
 }
 
 /// Forgets a document.

@@ -20,7 +20,8 @@ mod _core {
 
     #[pymodule_init]
     fn initialise(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        module.add("__version__", env!("CARGO_PKG_VERSION"))
+        module.add("__version__", program::VERSION)?;
+        module.add("BITS", program::BITS)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A hand-in: one file with the work of a student or a group, and the numbers that follow from it.
 //!
 //! ```json
-//! {"meniscus hand-in":1,"program":"0.1.0","made":1763812800000,
+//! {"meniscus hand-in":1,"program":"0.3.0","bits":1,"made":1763812800000,
 //!  "sender":{"name":"blue heron 17","seat":7,"assignment":"tube-2026"},
 //!  "work":{"meniscus project":1,"documents":[],"state":"","items":[]},
 //!  "facts":[{"part":"fit","item":"Linear damping: film.csv","quantity":"gamma","number":0.4}]}
@@ -9,7 +9,8 @@
 //!
 //! A file can also hold it deflated with a zlib header, or inside of a report ([`crate::carried`]): [`HandIn::open`] reads all.
 //!
-//! The facts can be computed again from the work, bit for bit. Unknown fields are ignored.
+//! The facts can be computed again from the work, bit for bit by a program with the same number `bits`
+//! ([`program::BITS`]). Unknown fields are ignored.
 
 use crate::carried;
 use crate::project::{Project, ProjectError};
@@ -53,6 +54,9 @@ pub struct Sender {
 pub struct HandIn {
     /// Version of the program that made it.
     pub program: String,
+    /// Number of the bits of that program's results ([`program::BITS`], from 1); `None` if it stated none, as versions up
+    /// to 0.2.0 did.
+    pub bits: Option<u32>,
     /// Time at which it was made, in milliseconds since 1970.
     pub made: u64,
     /// The student or the group.
@@ -99,6 +103,8 @@ struct Written {
     version: u32,
     #[serde(default)]
     program: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bits: Option<u32>,
     #[serde(default)]
     made: u64,
     sender: Sender,
@@ -113,6 +119,13 @@ struct Version {
 }
 
 impl HandIn {
+    /// A hand-in made by this program at the time `made`, in milliseconds since 1970. `facts`: the values that this program
+    /// has computed from the work.
+    pub fn new(made: u64, sender: Sender, work: Project, facts: Vec<Fact>) -> Self {
+        let program = program::VERSION.to_owned();
+        Self { program, bits: Some(program::BITS), made, sender, work, facts, page: Vec::new() }
+    }
+
     /// The hand-in to be carried by a page ([`carried::carry`]): it also states the text of the page.
     #[must_use]
     pub fn of_page(mut self, page: &str) -> Self {
@@ -127,6 +140,7 @@ impl HandIn {
         let written = Written {
             version: VERSION,
             program: self.program.clone(),
+            bits: self.bits,
             made: self.made,
             sender: self.sender.clone(),
             work,
@@ -172,7 +186,7 @@ impl HandIn {
         if version > VERSION {
             return Err(HandInError::LaterVersion);
         }
-        let Written { program, made, mut sender, work, facts, .. } =
+        let Written { program, bits, made, mut sender, work, facts, .. } =
             serde_json::from_str(text).map_err(|_| HandInError::Damaged)?;
         if facts.len() > MOST_FACTS {
             return Err(HandInError::TooLarge);
@@ -183,7 +197,7 @@ impl HandIn {
             ProjectError::Unreadable => HandInError::Damaged,
         })?;
         sender.name = sender.name.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
-        Ok(Self { program, made, sender, work, facts, page: Vec::new() })
+        Ok(Self { program, bits, made, sender, work, facts, page: Vec::new() })
     }
 }
 
@@ -217,6 +231,7 @@ mod tests {
         };
         HandIn {
             program: "0.1.0".to_owned(),
+            bits: Some(7),
             made: 5,
             sender: Sender { name: "blue heron".to_owned(), seat: Some(7), assignment: "tube".to_owned() },
             work: Project {

@@ -8,7 +8,7 @@
 //!
 //! | part | value |
 //! |---|---|
-//! | `head` | version of the program, time, seat and assignment |
+//! | `head` | version of the program, number of its bits, time, seat and assignment |
 //! | `documents` | the files of the document |
 //! | `state` | the state of the run, as in a link |
 //! | `order` | names of the items in their order; other items were removed |
@@ -65,6 +65,7 @@ pub struct Folded(BTreeMap<String, Parts>);
 #[serde(default)]
 struct Head {
     program: String,
+    bits: Option<u32>,
     sender: Sender,
 }
 
@@ -82,6 +83,8 @@ struct HandIn<'a> {
     #[serde(rename = "meniscus hand-in")]
     version: u32,
     program: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bits: Option<u32>,
     made: u64,
     sender: Sender,
     work: Work<'a>,
@@ -126,6 +129,7 @@ impl Folded {
         let hand_in = HandIn {
             version: 1,
             program: head.program,
+            bits: head.bits,
             made,
             sender: Sender { name: pseudonym.to_owned(), ..head.sender },
             work: Work {

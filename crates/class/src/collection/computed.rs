@@ -66,10 +66,10 @@ impl Computed {
         }
     }
 
-    /// The work of a hand-in, compared with what it states. `program`: version of the program that has computed.
-    pub(super) fn work_of(self, hand_in: &HandIn, program: &str) -> Work {
+    /// The work of a hand-in, compared with what it states.
+    pub(super) fn work_of(self, hand_in: &HandIn) -> Work {
         let Self { facts, refused, curves, fits, answers, equal_runs, theories: _ } = self;
-        let verdict = compare(hand_in, &facts, refused, program);
+        let verdict = compare(hand_in, &facts, refused);
         Work { verdict, facts, curves, fits, answers, equal_runs }
     }
 }

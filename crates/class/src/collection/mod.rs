@@ -89,8 +89,6 @@ enum Step {
 /// The hand-ins of a class.
 #[derive(Debug)]
 pub struct Collection {
-    /// Version of the program that computes.
-    program: String,
     language: Language,
     entries: Vec<Entry>,
     step: Option<Step>,
@@ -108,10 +106,9 @@ pub struct Collection {
 }
 
 impl Collection {
-    /// An empty collection. `program`: version of the program that computes. `language`: language of the questions.
-    pub fn new(program: &str, language: Language) -> Self {
+    /// An empty collection. `language`: language of the questions.
+    pub fn new(language: Language) -> Self {
         Self {
-            program: program.to_owned(),
             language,
             entries: Vec::new(),
             step: None,
@@ -186,7 +183,7 @@ impl Collection {
 
     /// Removes everything.
     pub fn clear(&mut self) {
-        *self = Self::new(&self.program, self.language);
+        *self = Self::new(self.language);
     }
 
     /// The files in the order in which they were added.
@@ -327,7 +324,7 @@ impl Collection {
             None if is_former => return,
             Some(mut computed) => {
                 take_curves(&mut self.theories, index, std::mem::take(&mut computed.theories));
-                let work = Box::new(computed.work_of(hand_in, &self.program));
+                let work = Box::new(computed.work_of(hand_in));
                 if is_former {
                     entry.state = State::Waiting(Some(work));
                     return;

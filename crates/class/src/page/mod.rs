@@ -26,9 +26,9 @@ use units::{Language, say};
 /// Maximum number of quantities whose curves are drawn in a report.
 const MOST_GROUPS: usize = 12;
 
-/// A report of all groups as one self-contained HTML page. `asked`: quantities against a parameter. `date` and `version` stand at
+/// A report of all groups as one self-contained HTML page. `asked`: quantities against a parameter. `date` stands at
 /// its end; an empty date is left out.
-pub fn html(collection: &Collection, asked: &[Against], language: Language, version: &str, date: &str) -> String {
+pub fn html(collection: &Collection, asked: &[Against], language: Language, date: &str) -> String {
     let title = language.say("Results of a class");
     let look = Look { width: 700.0, height: 300.0, palette: &Palette::LIGHT, language };
     let mut page = Page::default();
@@ -59,8 +59,8 @@ pub fn html(collection: &Collection, asked: &[Against], language: Language, vers
     page.heading(language.say("Hand-ins"));
     page.raw(&hand_ins(collection, language));
     page.element("p class=\"note\"", &meaning().text(language));
-    report::footer(&mut page, language, version, date);
-    report::page_of(title, language.tag(), version, &page.out)
+    report::footer(&mut page, language, program::VERSION_AND_BITS, date);
+    report::page_of(title, language.tag(), program::VERSION_AND_BITS, &page.out)
 }
 
 fn curves_section(page: &mut Page, collection: &Collection, look: Look) {

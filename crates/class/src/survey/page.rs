@@ -23,7 +23,7 @@ pub struct SurveyLook<'a> {
 
 /// The surveys as one self-contained HTML page with the comments that they contain. `released`: false if comments are left
 /// out; the page then says so. Texts of persons and documents are escaped.
-pub fn html(surveys: &[Results], released: bool, language: Language, version: &str) -> String {
+pub fn html(surveys: &[Results], released: bool, language: Language) -> String {
     let look = SurveyLook { palette: &Palette::LIGHT, language };
     let mut page = Page::default();
     page.raw("<header>\n");
@@ -44,8 +44,8 @@ pub fn html(surveys: &[Results], released: bool, language: Language, version: &s
             }
         }
     }
-    report::footer(&mut page, language, version, "");
-    report::page_of(title, language.tag(), version, &page.out)
+    report::footer(&mut page, language, program::VERSION_AND_BITS, "");
+    report::page_of(title, language.tag(), program::VERSION_AND_BITS, &page.out)
 }
 
 /// Number of persons, what is not shown, the bars of all scales, and a table for each item with alternatives, as markup.

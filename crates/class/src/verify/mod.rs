@@ -14,44 +14,39 @@ pub use desk::write_varied;
 pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;
 pub(crate) use recomputation::document_has_errors;
-pub use verdict::{Difference, Verdict, compare, meaning};
+pub use verdict::{Difference, OtherBits, Verdict, compare, meaning};
 
 use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;
 use units::Words;
 
 /// A hand-in of this work, and a sentence for each part that could not be restored, of which no values are stated. `made`:
-/// time in milliseconds since 1970. `program`: version of the program. The values are computed from the work at once;
+/// time in milliseconds since 1970. The values are computed from the work at once;
 /// [`Recomputation`] does it in slices.
 ///
 /// # Errors
 /// If the document of the work cannot be opened.
-pub fn hand_in_with_losses(
-    work: Project,
-    sender: Sender,
-    made: u64,
-    program: &str,
-) -> Result<(HandIn, Vec<Words>), Words> {
+pub fn hand_in_with_losses(work: Project, sender: Sender, made: u64) -> Result<(HandIn, Vec<Words>), Words> {
     let recomputation = Recomputation::complete(&work)?;
     let left_out = recomputation.left_out().cloned().collect();
     let facts = recomputation.facts();
-    Ok((HandIn { program: program.to_owned(), made, sender, work, facts, page: Vec::new() }, left_out))
+    Ok((HandIn::new(made, sender, work, facts), left_out))
 }
 
 /// A hand-in as [`hand_in_with_losses`], without the sentences.
 ///
 /// # Errors
 /// If the document of the work cannot be opened.
-pub fn hand_in(work: Project, sender: Sender, made: u64, program: &str) -> Result<HandIn, Words> {
-    Ok(hand_in_with_losses(work, sender, made, program)?.0)
+pub fn hand_in(work: Project, sender: Sender, made: u64) -> Result<HandIn, Words> {
+    Ok(hand_in_with_losses(work, sender, made)?.0)
 }
 
-/// Computes a hand-in again at once, and compares. `program`: version of the program that verifies.
+/// Computes a hand-in again at once, and compares.
 ///
 /// # Errors
 /// If the document of the hand-in cannot be opened.
-pub fn verify(hand_in: &HandIn, program: &str) -> Result<Verdict, Words> {
+pub fn verify(hand_in: &HandIn) -> Result<Verdict, Words> {
     let recomputation = Recomputation::complete(&hand_in.work)?;
     let refused = recomputation.refused();
-    Ok(compare(hand_in, &recomputation.facts(), refused, program))
+    Ok(compare(hand_in, &recomputation.facts(), refused))
 }

@@ -5,7 +5,7 @@ use saved::hand_in::{FOLLOWS_NOT, Fact, FactValue, HandIn, Part};
 use std::collections::BTreeMap;
 use units::{Language, Words, say, words};
 
-/// Relative deviation allowed between versions of the program, whose algorithms may differ.
+/// Relative deviation allowed between programs whose results may have other bits.
 const TOLERANCE: f64 = 1e-6;
 
 /// A stated value that does not follow from the work.
@@ -23,6 +23,15 @@ pub struct Difference {
     pub computed: Option<FactValue>,
 }
 
+/// Program whose results may have other bits than those of this program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OtherBits {
+    /// Version that it states.
+    pub version: String,
+    /// Number of its bits; `None` if it states none.
+    pub bits: Option<u32>,
+}
+
 /// Result of a verification.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Verdict {
@@ -32,9 +41,9 @@ pub struct Verdict {
     pub differences: Vec<Difference>,
     /// Number of parts of the work that could not be restored.
     pub refused: usize,
-    /// Version of the program that made the hand-in, if it is another one; numbers may then differ by the relative
+    /// Program that made the hand-in, if the bits of its results may be others; numbers may then differ by the relative
     /// deviation 1e-6.
-    pub other_version: Option<String>,
+    pub other_bits: Option<OtherBits>,
 }
 
 impl Verdict {
@@ -43,7 +52,7 @@ impl Verdict {
         self.differences.is_empty() && self.refused == 0
     }
 
-    /// Description in lines: the number of equal values, another version, refused parts, and each difference.
+    /// Description in lines: the number of equal values, other bits, refused parts, and each difference.
     pub fn lines(&self, language: Language) -> Vec<String> {
         let (equal, all) = (self.equal, self.equal + self.differences.len());
         let mut lines = vec![if self.differences.is_empty() {
@@ -51,16 +60,37 @@ impl Verdict {
         } else {
             say!(language, "{equal} of {all} values equal")
         }];
-        lines.extend(self.other_version.as_ref().map(|version| {
-            let version = shortened(version);
-            say!(language, "made by version {version}; numbers are compared to a relative deviation of 1e-6")
-        }));
+        lines.extend(self.other_bits.as_ref().map(|other| other.text(language)));
         if self.refused > 0 {
             let refused = self.refused;
             lines.push(say!(language, "parts of the work that could not be restored: {refused}"));
         }
         lines.extend(self.differences.iter().map(|difference| difference.text(language)));
         lines
+    }
+}
+
+impl OtherBits {
+    /// Program that made a hand-in, if its results may have other bits.
+    fn of(hand_in: &HandIn) -> Option<Self> {
+        let differ = hand_in.bits != Some(program::BITS);
+        differ.then(|| Self { version: hand_in.program.clone(), bits: hand_in.bits })
+    }
+
+    /// One line: why numbers are compared within a tolerance.
+    fn text(&self, language: Language) -> String {
+        let (version, here) = (shortened(&self.version), program::BITS);
+        match self.bits {
+            Some(bits) => say!(
+                language,
+                "made by version {version}, whose results have bits {bits} (here {here}): numbers are compared to a relative deviation of 1e-6"
+            ),
+            None => say!(
+                language,
+                "made by version {version}, which does not state the bits of its results (here {here}): numbers are compared to a \
+                 relative deviation of 1e-6"
+            ),
+        }
     }
 }
 
@@ -93,9 +123,9 @@ pub fn meaning() -> Words {
 }
 
 /// Compares the values of a hand-in with those computed from its work. `refused`: number of parts of the work that could
-/// not be restored. `program`: version of the program that has computed.
-pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize, program: &str) -> Verdict {
-    let other_version = (hand_in.program != program).then(|| hand_in.program.clone());
+/// not be restored. Values are compared exactly if the hand-in states the bits of this program's results.
+pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize) -> Verdict {
+    let other_bits = OtherBits::of(hand_in);
     let mut rest: BTreeMap<(Part, &str, &str), &FactValue> =
         computed.iter().chain(&hand_in.page).map(|fact| (key(fact), &fact.value)).collect();
     let (mut equal, mut differences) = (0, Vec::new());
@@ -103,14 +133,14 @@ pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize, program: &st
     let stated = hand_in.facts.iter().filter(|fact| fact.part != Part::Report || !hand_in.page.is_empty());
     for fact in stated {
         let value = rest.remove(&key(fact));
-        if value.is_some_and(|value| is_equal(fact, value, other_version.is_some())) {
+        if value.is_some_and(|value| is_equal(fact, value, other_bits.is_some())) {
             equal += 1;
         } else {
             differences.push(difference(key(fact), Some(&fact.value), value));
         }
     }
     differences.extend(rest.into_iter().map(|(key, value)| difference(key, None, Some(value))));
-    Verdict { equal, differences, refused, other_version }
+    Verdict { equal, differences, refused, other_bits }
 }
 
 fn key(fact: &Fact) -> (Part, &str, &str) {
@@ -131,16 +161,14 @@ fn difference(
     }
 }
 
-/// True if a stated value is the computed one, for another version of the program within the tolerance.
-fn is_equal(Fact { part, quantity, value: stated, .. }: &Fact, computed: &FactValue, is_other_version: bool) -> bool {
+/// True if a stated value is the computed one, for other bits within the tolerance.
+fn is_equal(Fact { part, quantity, value: stated, .. }: &Fact, computed: &FactValue, has_other_bits: bool) -> bool {
     let is_of_film = |name: &str| *part == Part::Film && quantity == name;
     match (stated, computed) {
         (_, FactValue::Text(text)) if is_of_film("record") && text == FOLLOWS_NOT => false,
         // The hash of a computed table; its means are compared.
-        (FactValue::Text(_), FactValue::Text(_)) if is_other_version && is_of_film("table") => true,
-        (FactValue::Number(Number(one)), FactValue::Number(Number(other)))
-            if is_other_version && stated != computed =>
-        {
+        (FactValue::Text(_), FactValue::Text(_)) if has_other_bits && is_of_film("table") => true,
+        (FactValue::Number(Number(one)), FactValue::Number(Number(other))) if has_other_bits && stated != computed => {
             (one - other).abs() <= TOLERANCE * other.abs()
         }
         _ => stated == computed,

@@ -1,6 +1,6 @@
 //! Straight lines through results of groups.
 
-use crate::support::{Noise, VERSION, weighed};
+use crate::support::{Noise, weighed};
 use analysis::virtual_record::Chance;
 use class::against::{Against, Line, Point, Power, line};
 use class::collection::Collection;
@@ -121,7 +121,7 @@ fn of_lengths(lengths: &[f64]) -> Vec<HandIn> {
 /// Natural frequency in the theory: sqrt(2 g/L), with the fitted g.
 #[test]
 fn a_report_draws_results_over_the_theory() {
-    let mut class = Collection::new(VERSION, Language::English);
+    let mut class = Collection::new(Language::English);
     for one in of_lengths(&[0.18, 0.24, 0.32]) {
         class.add(&one.sender.name, HandIn::read(&one.write()));
     }
@@ -133,13 +133,13 @@ fn a_report_draws_results_over_the_theory() {
     for (length, omega) in curve.x.iter().zip(&curve.y) {
         assert!((omega / (2.0 * 9.81 / length).sqrt() - 1.0).abs() < 0.01, "{length} {omega}");
     }
-    let page = html(&class, &[], Language::English, VERSION, "");
+    let page = html(&class, &[], Language::English, "");
     assert!(page.contains("omega_0 [1/s] against L [m]. Straight line, n = 3"), "the sentence");
     assert!(page.contains("against L</title>") && page.contains(">theory<"), "the figure");
     // A power of the parameter that is asked for has its own section, with the line.
     let power = |text| Power::parse(text).unwrap();
     let asked = Against::new(omega, Some(&power("omega_0^2")), &power("2/L")).unwrap();
-    let page = html(&class, &[asked], Language::English, VERSION, "");
+    let page = html(&class, &[asked], Language::English, "");
     let section = page.split("Results against a parameter").nth(1).unwrap();
     let sentence = section.split("Straight line, n = 3: slope (9.").nth(1).unwrap();
     assert!(section.contains("omega_0^2 [1/s²] against 2/L [1/m]</title>"), "the figure");

@@ -1,6 +1,6 @@
 //! The hand-ins of a class together: those that count, tallies of answers, groups that are stuck, reports.
 
-use crate::support::{VERSION, answered, handed, measured, report};
+use crate::support::{answered, handed, measured, report};
 use class::collection::{Calculator, Collection, Entry, Snapshot, Snapshots, State, WorkOrder};
 use class::page::{count_text, html, progress_text, stuck, workbook};
 use class::verify::hand_in;
@@ -10,12 +10,12 @@ use units::Language;
 
 fn of(name: &str, rows: &[(f64, f64)], answers: &[&str]) -> HandIn {
     let sender = Sender { name: name.to_owned(), ..Sender::default() };
-    hand_in(answered(rows, answers), sender, 1_763_812_900_000, VERSION).unwrap()
+    hand_in(answered(rows, answers), sender, 1_763_812_900_000).unwrap()
 }
 
 /// A collection of these hand-ins, computed.
 fn computed(hand_ins: &[HandIn]) -> Collection {
-    let mut collection = Collection::new(VERSION, Language::English);
+    let mut collection = Collection::new(Language::English);
     for (index, one) in hand_ins.iter().enumerate() {
         collection.add(&format!("{index}.hand-in"), HandIn::read(&one.write()));
     }
@@ -32,7 +32,7 @@ fn of_repeated_hand_ins_the_last_counts_and_all_are_kept() {
     // In whatever order they arrive.
     for order in [[0, 1, 2], [1, 0, 2], [2, 1, 0], [1, 2, 0]] {
         let all = [&early, &late, &other];
-        let mut collection = Collection::new(VERSION, Language::English);
+        let mut collection = Collection::new(Language::English);
         for index in order {
             collection.add(&format!("{index}.hand-in"), HandIn::read(&all[index].write()));
             // Some are computed before the next one arrives.
@@ -100,7 +100,7 @@ fn curves_and_results_of_a_class_are_reported() {
     let gamma = quantities.iter().find(|one| one.name == "gamma").unwrap();
     let pool = gamma.pool.as_ref().unwrap();
     assert_eq!(pool.outliers.iter().map(|one| one.index).collect::<Vec<_>>(), [10], "{pool:?}");
-    let page = html(&class, &[], Language::English, VERSION, "");
+    let page = html(&class, &[], Language::English, "");
     for expected in [
         "11 groups",
         "twice or half as large",
@@ -110,7 +110,7 @@ fn curves_and_results_of_a_class_are_reported() {
     ] {
         assert!(page.contains(expected), "{expected}");
     }
-    assert!(html(&class, &[], catalogues::with(Language::Spanish), VERSION, "").contains("el doble o la mitad"));
+    assert!(html(&class, &[], catalogues::with(Language::Spanish), "").contains("el doble o la mitad"));
     assert!(workbook(&class, Language::English).starts_with(b"PK"));
 }
 
@@ -128,7 +128,7 @@ fn snapshots_are_shown_in_order_and_without_names() {
     assert_eq!(snapshots.list()[1], Snapshot::Answer { hand_in: 1, answer: 0 });
     assert!(!snapshots.toggle(Snapshot::Curve(members[1])));
     assert_eq!(snapshots.letters(), ["A", "B"]);
-    snapshots.retain(&Collection::new(VERSION, Language::English));
+    snapshots.retain(&Collection::new(Language::English));
     assert!(snapshots.list().is_empty());
 }
 
@@ -160,7 +160,7 @@ fn the_same_run_again_and_again_is_named() {
 #[test]
 fn the_progress_is_stated_and_data_are_compared_after_all_are_computed() {
     let hand_ins = [1, 2, 1].map(|seed| of(&format!("seed {seed}"), &measured(seed), &["7", "8", "9"]));
-    let mut class = Collection::new(VERSION, Language::English);
+    let mut class = Collection::new(Language::English);
     for (name, hand_in) in ["a", "b", "c"].iter().zip(&hand_ins) {
         let sender = Sender { name: (*name).to_owned(), ..Sender::default() };
         class.add(name, Ok(HandIn { sender, ..hand_in.clone() }));
@@ -190,7 +190,7 @@ fn of_the_pages_of_a_folder_those_without_data_are_left_out() {
     {
         assert_eq!(Collection::is_candidate(name), is_candidate, "{name}");
     }
-    let mut class = Collection::new(VERSION, Language::English);
+    let mut class = Collection::new(Language::English);
     assert!(!class.add_of_folder("notes.html", HandIn::open(b"<html><body>notes</body></html>")));
     assert!(class.add_of_folder("report.html", HandIn::open(report(&measured(1)).as_bytes())));
     assert!(class.add_of_folder("cut.hand-in", Err(HandInError::Damaged)));
@@ -207,7 +207,7 @@ fn what_is_computed_elsewhere_is_what_is_computed_here() {
     let hand_ins = [of("a", &measured(1), &["420", "0.42"]), of("b", &measured(2), &["7"]), film, damaged, broken];
     let here = computed(&hand_ins);
     // Two workers; the one with the later hand-ins is ready first.
-    let mut collection = Collection::new(VERSION, Language::English);
+    let mut collection = Collection::new(Language::English);
     for (index, one) in hand_ins.iter().enumerate() {
         collection.add(&format!("{index}.hand-in"), HandIn::read(&one.write()));
     }
@@ -226,7 +226,7 @@ fn what_is_computed_elsewhere_is_what_is_computed_here() {
         }
     }
     while collection.advance() {}
-    let [elsewhere, here] = [&collection, &here].map(|all| html(all, &[], Language::English, VERSION, ""));
+    let [elsewhere, here] = [&collection, &here].map(|all| html(all, &[], Language::English, ""));
     assert_eq!(elsewhere, here);
     // A delivery that comes too late is not taken; a hand-in that is taken back is computed here.
     collection.clear();
@@ -250,7 +250,7 @@ fn what_is_computed_elsewhere_is_what_is_computed_here() {
 fn a_later_form_of_a_file_replaces_the_former_one_in_a_lesson() {
     let early = handed(&measured(1), "fox");
     let late = HandIn { made: early.made + 1, ..handed(&measured(2), "fox") };
-    let mut collection = Collection::new(VERSION, Language::English);
+    let mut collection = Collection::new(Language::English);
     for hand_in in [&early, &late, &late] {
         collection.update("fox.hand-in", HandIn::read(&hand_in.write()));
         while collection.advance() {}
@@ -273,13 +273,13 @@ fn a_group_keeps_its_last_state_until_the_new_one_is_computed() {
     let forms: Vec<HandIn> = (1..5).map(|seed| handed(&measured(seed), "fox")).collect();
     let read = |form: usize| HandIn::read(&forms[form].write());
     let alone = |form: usize| {
-        let mut collection = Collection::new(VERSION, Language::English);
+        let mut collection = Collection::new(Language::English);
         collection.add("fox.hand-in", read(form));
         while collection.advance() {}
         facts(&collection)
     };
     let expected: Vec<Vec<Fact>> = (0..forms.len()).map(alone).collect();
-    let mut collection = Collection::new(VERSION, Language::English);
+    let mut collection = Collection::new(Language::English);
     collection.update("fox.hand-in", read(0));
     while collection.advance() {}
 

@@ -1,7 +1,6 @@
 //! Hidden values are in nothing that the laboratory writes.
 
 use crate::course::unzipped;
-use crate::support::VERSION;
 use class::verify::hand_in;
 use desk::{Desk, ExportKind, Imprint, MeasurementForm};
 use document::page::Source;
@@ -59,7 +58,7 @@ fn a_hidden_value_is_in_no_file_of_the_laboratory() {
     let documents = vec![Source { name: "tube.md".to_owned(), text: TUBE.to_owned() }];
     let work = Project { documents, state: desk.play().share(), items: desk::project_items(&desk, 5) };
     let sender = Sender { name: "a".to_owned(), seat: Some(7), assignment: "tube-2026".to_owned() };
-    files.push(("hand-in", hand_in(work, sender, 6, VERSION).unwrap().write()));
+    files.push(("hand-in", hand_in(work, sender, 6).unwrap().write()));
 
     // Digits of the value and of the time that follows from it, as far as three figures after the point tell them from others.
     let digits = |value: f64| format!("{value:.4}").trim_start_matches('0').trim_end_matches('0').to_owned();

@@ -12,9 +12,6 @@ use saved::{Item, Number};
 use std::path::Path;
 use units::Language;
 
-/// Version of the program in the tests.
-pub const VERSION: &str = "0.1.0";
-
 /// A question, put to the theory of linear damping.
 const QUESTION: &str = "\n```question\nWhat is the damping rate?\n\nanswer: gamma in [1/s] within 5 %\n```\n";
 
@@ -87,7 +84,7 @@ pub fn answered(rows: &[(f64, f64)], answers: &[&str]) -> Project {
 /// A hand-in of this work.
 pub fn handed(rows: &[(f64, f64)], name: &str) -> HandIn {
     let sender = Sender { name: name.to_owned(), ..Sender::default() };
-    hand_in(work(rows), sender, 1_763_812_900_000, VERSION).unwrap()
+    hand_in(work(rows), sender, 1_763_812_900_000).unwrap()
 }
 
 /// Hand-in of a group that held the length of its column, in m, fixed and fitted g to these rows.
@@ -111,7 +108,7 @@ pub fn weighed(length: f64, rows: &[(f64, f64)], name: &str) -> HandIn {
     let project =
         Project { documents, state: desk.play().share(), items: desk::project_items(&desk, 1_763_812_800_000) };
     let sender = Sender { name: name.to_owned(), ..Sender::default() };
-    hand_in(project, sender, 1_763_812_900_000, VERSION).unwrap()
+    hand_in(project, sender, 1_763_812_900_000).unwrap()
 }
 
 /// Copy of a work with a film whose points have these rows, in pixels of a millimetre.
@@ -141,7 +138,7 @@ pub fn with_film(made: HandIn, rows: &[(f64, f64)]) -> HandIn {
     };
     let mut work = made.work;
     work.items.push(("film".to_owned(), Item(Content::Film(Box::new(film))).write(0)));
-    hand_in(work, made.sender, made.made, VERSION).unwrap()
+    hand_in(work, made.sender, made.made).unwrap()
 }
 
 /// The report of a fit of linear damping to these rows, as the laboratory saves it.
@@ -155,6 +152,6 @@ pub fn report(rows: &[(f64, f64)]) -> String {
     let page = desk.fits().export(fit, ExportKind::Report, Imprint::default()).unwrap();
     let page = String::from_utf8(page.bytes).unwrap();
     let work = Project { documents, state: desk.play().share(), items: desk::items_of_fit(&desk, fit, false, 5) };
-    let made = hand_in(work, Sender::default(), 6, VERSION).unwrap().of_page(&page);
+    let made = hand_in(work, Sender::default(), 6).unwrap().of_page(&page);
     carry(&page, &compress_to_vec_zlib(made.write().as_bytes(), 9), Language::English)
 }

@@ -1,6 +1,6 @@
 //! Verification: honest hand-ins hold, and every manipulation is found at its place.
 
-use crate::support::{VERSION, handed, measured};
+use crate::support::{handed, measured};
 use class::verify::verify;
 use saved::hand_in::{Fact, FactValue, HandIn, Part};
 use saved::{Item, Number};
@@ -10,7 +10,7 @@ fn honest_hand_ins_hold_also_from_a_file() {
     for seed in 0..6 {
         let made = handed(&measured(seed), "blue heron");
         let read = HandIn::read(&made.write()).unwrap();
-        let verdict = verify(&read, VERSION).unwrap();
+        let verdict = verify(&read).unwrap();
         assert!(verdict.holds(), "{verdict:?}");
         assert_eq!(verdict.equal, made.facts.len());
         assert!(made.facts.iter().any(|fact| fact.quantity == "standard error of gamma"), "{:?}", made.facts);
@@ -29,14 +29,14 @@ fn every_changed_value_is_found_at_its_place() {
             FactValue::Text(text) => FactValue::Text(format!("{text}x")),
         };
         let wanted: Fact = fact.clone();
-        let verdict = verify(&HandIn::read(&changed.write()).unwrap(), VERSION).unwrap();
+        let verdict = verify(&HandIn::read(&changed.write()).unwrap()).unwrap();
         assert_eq!(verdict.differences.len(), 1, "{wanted:?}: {verdict:?}");
         let found = &verdict.differences[0];
         assert_eq!((found.part, &found.item, &found.quantity), (wanted.part, &wanted.item, &wanted.quantity));
     }
     let mut left_out = honest.clone();
     left_out.facts.retain(|fact| fact.part != Part::Answer);
-    let verdict = verify(&left_out, VERSION).unwrap();
+    let verdict = verify(&left_out).unwrap();
     assert!(
         !verdict.differences.is_empty() && verdict.differences.iter().all(|one| one.stated.is_none()),
         "{verdict:?}"
@@ -74,29 +74,56 @@ fn every_changed_datum_model_unit_and_setting_is_found() {
             *text = replaced;
         }
         assert!(count > 0, "{from}");
-        let verdict = verify(&HandIn::read(&changed.write()).unwrap(), VERSION).unwrap();
+        let verdict = verify(&HandIn::read(&changed.write()).unwrap()).unwrap();
         assert!(verdict.differences.iter().any(|one| one.part == part), "{from} -> {to}: {verdict:?}");
     }
     // The document of the work.
     let mut changed = honest.clone();
     changed.work.documents[0].text = changed.work.documents[0].text.replace("Damping rate", "Damping");
-    let verdict = verify(&changed, VERSION).unwrap();
+    let verdict = verify(&changed).unwrap();
     assert!(verdict.differences.iter().any(|one| one.part == Part::Run && one.quantity == "document"), "{verdict:?}");
 }
 
 #[test]
-fn another_version_is_compared_within_a_tolerance() {
+fn results_with_other_bits_are_compared_within_a_tolerance() {
     let mut made = handed(&measured(3), "blue heron");
-    made.program = "0.0.9".to_owned();
+    (made.program, made.bits) = ("0.0.9".to_owned(), None);
     let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
     let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
     *value *= 1.0 + 1e-9;
-    let verdict = verify(&made, VERSION).unwrap();
-    assert!(verdict.holds() && verdict.other_version.as_deref() == Some("0.0.9"), "{verdict:?}");
+    let verdict = verify(&made).unwrap();
+    assert!(verdict.holds() && verdict.other_bits.is_some(), "{verdict:?}");
     let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
     let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
     *value *= 1.01;
-    assert!(!verify(&made, VERSION).unwrap().holds());
+    assert!(!verify(&made).unwrap().holds());
+}
+
+/// Results with the same bits are compared exactly, whatever the version.
+#[test]
+fn results_with_the_same_bits_are_compared_exactly() {
+    let mut made = handed(&measured(3), "blue heron");
+    made.program = "0.0.9".to_owned();
+    assert_eq!(verify(&made).unwrap().lines(units::Language::English).len(), 1);
+    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
+    let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
+    *value *= 1.0 + 1e-9;
+    let verdict = verify(&made).unwrap();
+    assert!(!verdict.holds() && verdict.other_bits.is_none(), "{verdict:?}");
+}
+
+/// Work made by version 0.2.0, which stated no bits: a run, a record, a fit, answers and a film, and a report of a fit.
+#[test]
+fn work_of_version_0_2_0_is_opened_and_compared_within_a_tolerance() {
+    for file in ["group.hand-in", "report.html"] {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/0.2.0").join(file);
+        let opened = HandIn::open(&std::fs::read(path).unwrap()).unwrap();
+        let verdict = verify(&opened).unwrap();
+        let lines = verdict.lines(units::Language::English);
+        assert!(verdict.holds() && verdict.equal > 100, "{file}: {lines:#?}");
+        let reason = "made by version 0.2.0, which does not state the bits of its results";
+        assert!(lines.iter().any(|line| line.starts_with(reason) && line.contains("1e-6")), "{file}: {lines:#?}");
+    }
 }
 
 #[test]
@@ -104,15 +131,15 @@ fn hostile_work_is_refused_or_bounded() {
     let honest = handed(&measured(4), "blue heron");
     let mut broken = honest.clone();
     broken.work.documents[0].text = "```model\nx' = \n```".to_owned();
-    assert!(verify(&broken, VERSION).is_err());
+    assert!(verify(&broken).is_err());
     let mut damaged = honest.clone();
     damaged.work.items[0].1 = "{}".to_owned();
-    let verdict = verify(&damaged, VERSION).unwrap();
+    let verdict = verify(&damaged).unwrap();
     assert!(!verdict.holds() && verdict.refused > 0, "{verdict:?}");
     // The texts of a difference are one line of bounded length.
     let mut long = honest;
     long.facts[0].item = "<script>\n".repeat(100_000);
-    let verdict = verify(&long, VERSION).unwrap();
+    let verdict = verify(&long).unwrap();
     for difference in &verdict.differences {
         let text = difference.text(units::Language::English);
         assert!(text.chars().count() < 1000 && !text.contains('\n'));

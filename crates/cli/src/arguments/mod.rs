@@ -16,7 +16,7 @@ use units::Language;
 
 /// A virtual laboratory for oscillations: one text document is the simulation.
 #[derive(Debug, Parser)]
-#[command(name = "meniscus", version, after_help = EXIT_CODES, disable_help_subcommand = true)]
+#[command(name = "meniscus", version = program::VERSION_AND_BITS, after_help = EXIT_CODES, disable_help_subcommand = true)]
 pub struct Arguments {
     /// Command to run.
     #[command(subcommand)]

@@ -2,7 +2,6 @@
 
 use super::arguments::{Report, ReportFormat};
 use crate::failure::Failure;
-use crate::handing::VERSION;
 use crate::handing::read::computed;
 use crate::terminal::Terminal;
 use crate::terminal::output;
@@ -42,7 +41,7 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
         }
         ReportFormat::Csv => as_csv(&quantities, &class).into_bytes(),
         ReportFormat::Json => as_json(&quantities, &class, language).into_bytes(),
-        ReportFormat::Html => page::html(&class, &against, language, VERSION, "").into_bytes(),
+        ReportFormat::Html => page::html(&class, &against, language, "").into_bytes(),
         ReportFormat::Xlsx => page::workbook(&class, language),
     };
     output::deliver(arguments.output.as_deref(), &paths, &bytes)

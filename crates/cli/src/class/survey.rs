@@ -45,7 +45,7 @@ pub fn survey(arguments: &Survey, terminal: Terminal) -> Result<(), Failure> {
     }
     let written = match SurveyFormat::chosen(arguments.format, arguments.output.as_deref()) {
         SurveyFormat::Text => visible(&as_text(&surveys, released, language)).into_owned(),
-        SurveyFormat::Html => page::html(&surveys, released, language, env!("CARGO_PKG_VERSION")),
+        SurveyFormat::Html => page::html(&surveys, released, language),
         SurveyFormat::Csv => as_csv(&surveys),
         SurveyFormat::Json => as_json(&surveys, released),
     };

@@ -1,7 +1,6 @@
 //! The data that a report of fits carries, from which `meniscus verify` computes the fits again.
 
 use super::arguments::Common;
-use crate::handing::VERSION;
 use crate::handing::write::{now, packed};
 use analysis::fit::{Estimate, Outcome, Record};
 use class::verify::{DataFile, Recomputation, project_of_files, write_varied};
@@ -40,7 +39,7 @@ fn hand_in(work: Project, fitted: &[&Fitted], arguments: &Common) -> Option<Hand
         return None;
     }
     let sender = Sender { seat: arguments.seat.map(|seat| seat.number()), ..Sender::default() };
-    Some(HandIn { program: VERSION.to_owned(), made: now(), sender, work, facts, page: Vec::new() })
+    Some(HandIn::new(now(), sender, work, facts))
 }
 
 /// True if the recomputed fit of a theory agrees with its outcome: values within a part of their standard errors, errors

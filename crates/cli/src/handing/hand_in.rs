@@ -1,6 +1,5 @@
 //! `meniscus hand-in`: makes a hand-in from a project.
 
-use super::VERSION;
 use super::arguments::HandIn;
 use super::read::bytes;
 use super::write::now;
@@ -23,7 +22,7 @@ pub fn hand_in(arguments: &HandIn, terminal: Terminal) -> Result<(), Failure> {
         .map_err(|error| refused(error.words()))?;
     let sender =
         Sender { name: arguments.name.clone(), seat: arguments.seat, assignment: arguments.assignment.clone() };
-    let (made, left_out) = class::verify::hand_in_with_losses(project, sender, now(), VERSION).map_err(refused)?;
+    let (made, left_out) = class::verify::hand_in_with_losses(project, sender, now()).map_err(refused)?;
     let output = arguments.output.clone().unwrap_or_else(|| path.with_extension(&HAND_IN_ENDING[1..]));
     file(&output, std::slice::from_ref(path), made.write().as_bytes())?;
     let (count, output) = (made.facts.len(), output.display());

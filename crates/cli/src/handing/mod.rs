@@ -9,6 +9,3 @@ pub mod write;
 
 pub use hand_in::hand_in;
 pub use verify::verify;
-
-/// Version of this program, which a hand-in states.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");

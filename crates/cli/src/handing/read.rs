@@ -1,6 +1,5 @@
 //! Reading of hand-ins and projects.
 
-use super::VERSION;
 use crate::failure::Failure;
 use class::collection::Collection;
 use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
@@ -35,7 +34,7 @@ pub fn files_in(folder: &Path, is_wanted: impl Fn(&str) -> bool) -> Result<Vec<P
 /// # Errors
 /// A file or folder cannot be read, or a folder has no hand-ins.
 pub fn computed(paths: &[PathBuf], language: Language) -> Result<(Collection, Vec<PathBuf>), Failure> {
-    let (mut class, mut taken) = (Collection::new(VERSION, language), Vec::new());
+    let (mut class, mut taken) = (Collection::new(language), Vec::new());
     for path in paths {
         if !path.is_dir() {
             class.add(&path.to_string_lossy(), read(path)?);

@@ -61,7 +61,7 @@ pub fn json(class: &Collection, language: Language) -> String {
                 "holds": work.verdict.holds(),
                 "equal": work.verdict.equal,
                 "not_restored": work.verdict.refused,
-                "other_version": work.verdict.other_version,
+                "other_bits": work.verdict.other_bits.as_ref().map(|other| json!({"version": other.version, "bits": other.bits})),
                 "differences": differences(&work.verdict, language),
             }),
         }

@@ -5,7 +5,6 @@ use super::arguments::{Place, Track as Arguments};
 use super::clock::Clock;
 use super::following::Followed;
 use super::opened::Opened;
-use crate::handing::VERSION;
 use crate::handing::write::{now, packed};
 use class::verify::{DataFile, FILM_START, Recomputation, film_hash, project_of_files};
 use document::page::Source;
@@ -14,7 +13,7 @@ use film::tracking::{Exposure, Point, Track};
 use saved::Number;
 use saved::carried::{carry, carry_nothing};
 use saved::format::{self, Followed as Clicked, FoundInFilm, TrackInFilm};
-use saved::hand_in::HandIn;
+use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;
 use std::fs::File;
 use std::io::Read;
@@ -39,7 +38,7 @@ pub struct Tracked<'a> {
 pub fn carrying(page: &str, tracked: Tracked<'_>, language: Language) -> String {
     let hand_in = work(tracked).and_then(|work| {
         let facts = Recomputation::complete(&work).ok().filter(|done| done.refused() == 0)?.facts();
-        Some(HandIn { program: VERSION.to_owned(), made: now(), work, facts, ..HandIn::default() })
+        Some(HandIn::new(now(), Sender::default(), work, facts))
     });
     if let Some(hand_in) = hand_in {
         return carry(page, &packed(&hand_in.of_page(page)), language);

@@ -36,7 +36,7 @@ pub fn page(
             .collect(),
     };
     let command = command::typed();
-    film_html(&TrackReport { film: &report, language, command: &command, version: env!("CARGO_PKG_VERSION"), date: "" })
+    film_html(&TrackReport { film: &report, language, command: &command, version: program::VERSION_AND_BITS, date: "" })
 }
 
 /// Picture of the first tracked frame with ruler, origin and paths.

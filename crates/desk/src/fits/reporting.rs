@@ -112,7 +112,7 @@ impl ShownFits<'_> {
             notes,
             films: &[],
             command,
-            version: env!("CARGO_PKG_VERSION"),
+            version: program::VERSION_AND_BITS,
             date,
         }
     }

@@ -96,7 +96,7 @@ fn exports(app: App) -> View {
     let report = move |_| {
         let (x, y) = app.class.axes();
         let asked = against::asked(app, &x.get_clone_untracked(), &y.get_clone_untracked()).unwrap_or_default();
-        let html = app.class.read_once(|class| page::html(class, &asked, language, env!("CARGO_PKG_VERSION"), ""));
+        let html = app.class.read_once(|class| page::html(class, &asked, language, ""));
         browser::save_text("class.html", "text/html", &html);
     };
     let workbook = move |_| {

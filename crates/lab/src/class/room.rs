@@ -92,7 +92,7 @@ impl Room {
     /// An empty room. `language`: language of the questions.
     pub fn new(language: Language) -> Self {
         Self {
-            collection: create_signal(Collection::new(env!("CARGO_PKG_VERSION"), language)),
+            collection: create_signal(Collection::new(language)),
             quantities: create_signal(Vec::new()),
             parts: PARTS.map(|_| create_signal(())),
             drawn: create_signal(PARTS.len()),

@@ -44,6 +44,5 @@ pub async fn made(app: App, name: String) -> Option<(HandIn, usize)> {
     let sender = sender(app, name);
     let recomputation = recomputing::finished(recomputation).await;
     let lost = recomputation.refused() + left_out;
-    let (program, facts) = (env!("CARGO_PKG_VERSION").to_owned(), recomputation.facts());
-    Some((HandIn { program, made: now, sender, work, facts, ..HandIn::default() }, lost))
+    Some((HandIn::new(now, sender, work, recomputation.facts()), lost))
 }

@@ -64,7 +64,7 @@ async fn verify(app: App, file: &str, hand_in: Result<HandIn, HandInError>, hand
     }
     let recomputation = recomputing::finished(recomputation).await;
     let refused = recomputation.refused();
-    let verdict = compare(&hand_in, &recomputation.facts(), refused, env!("CARGO_PKG_VERSION"));
+    let verdict = compare(&hand_in, &recomputation.facts(), refused);
     // Closed, or replaced by another file meanwhile.
     let is_shown =
         app.verified.with_untracked(|now| now.as_ref().is_some_and(|now| Rc::ptr_eq(&now.work, &computing.work)));

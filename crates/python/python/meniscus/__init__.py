@@ -4,13 +4,14 @@ A value is a number in the declared unit of the parameter, a text with its own u
 in the declared units. Long work releases the lock of the interpreter and can be interrupted.
 """
 
-from ._core import __version__
+from ._core import BITS, __version__
 from .document import Document, check, open, rank
 from .errors import Diagnostic, DocumentError, MeniscusError, RunError, SettingError
 from .fit import Estimate, Fit
 from .table import Table
 
 __all__ = [
+    "BITS",
     "Diagnostic",
     "Document",
     "DocumentError",

@@ -4,6 +4,9 @@ from collections.abc import Sequence
 
 __version__: str
 
+BITS: int
+"""Number of the bits of all results: two programs with the same number give results that are equal to the last bit."""
+
 class Opened:
     """An opened document."""
 

@@ -91,7 +91,7 @@ impl Fitted {
             notes,
             films: &[],
             command,
-            version: env!("CARGO_PKG_VERSION"),
+            version: program::VERSION_AND_BITS,
             date: "",
         }
     }

@@ -45,7 +45,7 @@ pub fn view(app: App) -> View {
         });
         let save = move |_| {
             let language = app.language.get_untracked();
-            let html = page::html(&app.survey.released(), true, language, env!("CARGO_PKG_VERSION"));
+            let html = page::html(&app.survey.released(), true, language);
             browser::save_text("survey.html", "text/html", &html);
         };
         let button = |id: &'static str, label: &'static str| button().class("quiet").id(id).child(label);

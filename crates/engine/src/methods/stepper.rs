@@ -3,6 +3,7 @@
 mod advance;
 mod ahead;
 mod compiled;
+mod corner;
 mod count;
 mod finish;
 mod moment;

@@ -1,0 +1,83 @@
+//! Corners of the equations at which a held branch ends.
+//!
+//! A switch keeps its value during a step ([`program::Held`]), and a stage can lie beyond the corner, where that branch has no
+//! value: `sqrt(max(h, 0))` is evaluated as `sqrt(h)`. The same happens where an event comes before the equations lose their
+//! value. A step without a result is therefore shortened. Steps approach the corner by a constant factor each, with the order of
+//! the method, until the rounding of the time is reached. The last step goes beyond with the rates at the present state, which
+//! has a value, so that the switch changes or the event fires there.
+
+use super::advance::Early;
+use super::{Solver, Stepper};
+use crate::events::follow;
+use crate::{Cause, RunError};
+
+impl Stepper {
+    /// Maximum distance of a corner at which a step fails, in multiples of the shortest step.
+    const NEAR: f64 = 1024.0;
+
+    /// Makes a step of a fixed-step method of at most `size` towards `end` (both SI) after one of that size has failed.
+    pub(super) fn shortened(&mut self, mut size: f64, end: f64) -> Result<Option<Early>, RunError> {
+        let cause = self.not_finite();
+        let least = f64::EPSILON * end;
+        while self.may_shorten() && size > least {
+            size *= 0.5;
+            if self.try_fixed(size) {
+                self.row.switches += 1;
+                return Ok(self.arrive(self.time + size, size, None));
+            }
+        }
+        self.cross(end, true).ok_or_else(|| self.error(cause))
+    }
+
+    /// Goes from the present state, where no step of the method is short enough, beyond the corner nearby, by a step with the rates
+    /// at the present state (Euler). Without a corner nearby, it makes the shortest step if it `may_creep`: a stage can be beyond a
+    /// corner that the rates only point to after it. `end` is the end of the step, SI units. Returns `None` if that cannot help.
+    pub(super) fn cross(&mut self, end: f64, may_creep: bool) -> Option<Option<Early>> {
+        if !self.may_shorten() {
+            return None;
+        }
+        self.row.switches += 1;
+        let (time, from) = (self.time, &self.state);
+        let shortest = (f64::EPSILON * end).min(end - time);
+        let mut rates = vec![0.0; from.len()];
+        self.equations.rates(time, from, &mut rates);
+        let straight = |since: f64, out: &mut [f64]| follow(out, from, &rates, since);
+        let mut size = shortest;
+        while size <= Self::NEAR * shortest {
+            straight(size, &mut self.next);
+            if !self.next.iter().all(|value| value.is_finite()) {
+                return None;
+            }
+            if self.surfaces.crossed(time + size, &self.next) {
+                let crossing = self.surfaces.locate(time, (0.0, size), None, straight);
+                return Some(Some(Early::new(crossing, time, size, end.min(time + size))));
+            }
+            size *= 2.0;
+        }
+        if !may_creep {
+            return None;
+        }
+        straight(shortest, &mut self.next);
+        self.surfaces.crossed(time + shortest, &self.next);
+        self.surfaces.events.pass();
+        std::mem::swap(&mut self.state, &mut self.next);
+        self.time = end.min(time + shortest);
+        self.on_grid = false;
+        self.restart();
+        Some(None)
+    }
+
+    /// True if a change could end the step before the equations lose their value. The steps that are shortened in a row are limited.
+    fn may_shorten(&self) -> bool {
+        !self.surfaces.is_empty() && self.row.switches <= Self::SWITCH_LIMIT
+    }
+
+    /// Cause of a failed step.
+    pub(super) fn not_finite(&self) -> Cause {
+        let state = match &self.solver {
+            Solver::Fixed(_) => &self.next,
+            Solver::Adaptive(method) => method.attempt(),
+        };
+        super::advance::not_finite(state, self.equations.singular(), self.method)
+    }
+}

@@ -43,6 +43,8 @@ impl Stepper {
     /// Maximum number of switches of the equations within one step of the grid; more of them stop the run. The switches of a
     /// relay that acts on a second derivative grow denser by a constant factor from step to step.
     pub const SWITCH_LIMIT: usize = 10_000;
+    /// Number of switches in a step of the grid from which on a motion to and fro about a corner is expected.
+    const TO_AND_FRO: usize = 16;
     /// Fraction of a step within which events are counted.
     const BURST_SPAN: f64 = 1e-2;
     /// Maximum number of steps of an adaptive method between two grid points; more of them stop the run.
@@ -209,6 +211,9 @@ impl Stepper {
     /// Advances to `target` or to the end of the step of the method, whichever is first, or to an earlier event or switch.
     fn adaptive(&mut self, target: f64) -> Result<Option<Early>, RunError> {
         self.begin_steps();
+        if let Some(early) = self.leave_standstill(target) {
+            return Ok(early);
+        }
         let Solver::Adaptive(method) = &mut self.solver else {
             return Ok(None);
         };
@@ -218,7 +223,7 @@ impl Stepper {
         {
             let finite = stalled == Stalled::TooSmall;
             let cause = if finite { Cause::StepTooSmall } else { self.not_finite() };
-            return self.cross(target, !finite).ok_or_else(|| self.error(cause));
+            return self.cross(f64::EPSILON * target, target, !finite).ok_or_else(|| self.error(cause));
         }
         let until = target.min(method.end());
         let expected = self.surfaces.timetable.next(self.time, until, &self.state);
@@ -273,6 +278,10 @@ impl Stepper {
         self.surfaces.approach(&mut self.equations, early.before);
         self.time = early.beyond;
         self.state.copy_from_slice(self.surfaces.beyond());
+        self.row.switches += 1;
+        if self.row.switches >= Self::TO_AND_FRO && self.row.switches.is_power_of_two() {
+            self.rest_on_corner();
+        }
         let jumped = self.hold();
         if let Some(switch) = jumped {
             if early.before > began {
@@ -288,7 +297,6 @@ impl Stepper {
             self.surfaces.events.pass();
         }
         self.on_grid = self.time == target;
-        self.row.switches += 1;
         if self.row.switches > Self::SWITCH_LIMIT {
             return Err(self.error(Cause::TooManySwitches(Self::SWITCH_LIMIT)));
         }

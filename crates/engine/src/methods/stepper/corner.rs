@@ -3,7 +3,7 @@
 //! A switch keeps its value during a step ([`program::Held`]), and a stage can lie beyond the corner, where that branch has no
 //! value: `sqrt(max(h, 0))` is evaluated as `sqrt(h)`. The same happens where an event comes before the equations lose their
 //! value. A step without a result is therefore shortened. Steps approach the corner by a constant factor each, with the order of
-//! the method, until the rounding of the time is reached. The last step goes beyond with the rates at the present state, which
+//! the method, until the rounding of the time or of the state is reached. The last step goes beyond with the rates at the present state, which
 //! has a value, so that the switch changes or the event fires there.
 
 use super::advance::Early;
@@ -12,6 +12,10 @@ use crate::events::follow;
 use crate::{Cause, RunError};
 
 impl Stepper {
+    /// Maximum number of roundings by which a state is moved.
+    const ROUNDINGS: usize = 4;
+    /// Number of steps of an adaptive method in a row of the grid from which on a standstill is expected.
+    const MANY_STEPS: usize = 1000;
     /// Maximum distance of a corner at which a step fails, in multiples of the shortest step.
     const NEAR: f64 = 1024.0;
 
@@ -22,23 +26,25 @@ impl Stepper {
         while self.may_shorten() && size > least {
             size *= 0.5;
             if self.try_fixed(size) {
-                self.row.switches += 1;
+                if self.next == self.state {
+                    break;
+                }
+                self.row.shortened += 1;
                 return Ok(self.arrive(self.time + size, size, None));
             }
         }
-        self.cross(end, true).ok_or_else(|| self.error(cause))
+        self.cross(size, end, true).ok_or_else(|| self.error(cause))
     }
 
     /// Goes from the present state, where no step of the method is short enough, beyond the corner nearby, by a step with the rates
     /// at the present state (Euler). Without a corner nearby, it makes the shortest step if it `may_creep`: a stage can be beyond a
-    /// corner that the rates only point to after it. `end` is the end of the step, SI units. Returns `None` if that cannot help.
-    pub(super) fn cross(&mut self, end: f64, may_creep: bool) -> Option<Option<Early>> {
+    /// corner that the rates only point to after it. `shortest` and `end` are the size of that step and its latest end, SI units. Returns `None` if that cannot help.
+    pub(super) fn cross(&mut self, shortest: f64, end: f64, may_creep: bool) -> Option<Option<Early>> {
         if !self.may_shorten() {
             return None;
         }
-        self.row.switches += 1;
+        self.row.shortened += 1;
         let (time, from) = (self.time, &self.state);
-        let shortest = (f64::EPSILON * end).min(end - time);
         let mut rates = vec![0.0; from.len()];
         self.equations.rates(time, from, &mut rates);
         let straight = |since: f64, out: &mut [f64]| follow(out, from, &rates, since);
@@ -67,9 +73,46 @@ impl Stepper {
         Some(None)
     }
 
+    /// Goes beyond a corner nearby if an adaptive method makes many steps between two rows that are too short to change the state, because
+    /// longer ones have no value. `end` as for [`Stepper::cross`].
+    pub(super) fn leave_standstill(&mut self, end: f64) -> Option<Option<Early>> {
+        let Solver::Adaptive(method) = &self.solver else { return None };
+        let last = method.last();
+        let stands = self.row.steps > Self::MANY_STEPS && last.end <= self.time && last.from == last.to;
+        let size = last.size;
+        if stands && size > 0.0 { self.cross(size, end, false) } else { None }
+    }
+
+    /// Moves the state before the crossing found last by roundings to where the rates are least. A motion that comes to rest on a
+    /// corner, as the levels of two tanks do, otherwise goes to and fro about it where no sum of rounded numbers is exactly there.
+    pub(super) fn rest_on_corner(&mut self) {
+        let Self { equations, surfaces, time, next: state, .. } = self;
+        let mut rates = vec![0.0; state.len()];
+        let mut speed = |state: &[f64]| {
+            equations.rates(*time, state, &mut rates);
+            rates.iter().fold(0.0, |sum, rate| sum + rate.abs())
+        };
+        state.copy_from_slice(surfaces.before());
+        let start = speed(state);
+        let mut least = start;
+        for _ in 0..Self::ROUNDINGS {
+            for place in 0..state.len() {
+                let known = state[place];
+                for moved in [known.next_down(), known.next_up()] {
+                    let kept = std::mem::replace(&mut state[place], moved);
+                    let found = speed(state);
+                    if found < least { least = found } else { state[place] = kept }
+                }
+            }
+        }
+        if least < start {
+            self.state.copy_from_slice(&self.next);
+        }
+    }
+
     /// True if a change could end the step before the equations lose their value. The steps that are shortened in a row are limited.
     fn may_shorten(&self) -> bool {
-        !self.surfaces.is_empty() && self.row.switches <= Self::SWITCH_LIMIT
+        !self.surfaces.is_empty() && self.row.shortened <= Self::SWITCH_LIMIT
     }
 
     /// Cause of a failed step.

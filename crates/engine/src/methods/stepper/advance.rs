@@ -276,6 +276,7 @@ impl Stepper {
     fn switch(&mut self, early: Early, record: &mut dyn Record) -> Result<(), RunError> {
         let began = self.time;
         self.surfaces.approach(&mut self.equations, early.before);
+        let doubted = self.rates_around(early.before);
         self.time = early.beyond;
         self.state.copy_from_slice(self.surfaces.beyond());
         self.row.switches += 1;
@@ -283,6 +284,7 @@ impl Stepper {
             self.rest_on_corner();
         }
         let jumped = self.hold();
+        self.drop_doubt(began, &doubted);
         if let Some(switch) = jumped {
             if early.before > began {
                 record.row(early.before, self.surfaces.before(), false);

@@ -12,6 +12,10 @@ use crate::events::follow;
 use crate::{Cause, RunError};
 
 impl Stepper {
+    /// Least jump of a rate, relative to the rate at the last step before.
+    const JUMP: f64 = 1e-3;
+    /// Least change of a state by it in a step of the grid, relative to the state.
+    const SHIFT: f64 = 1e-8;
     /// Maximum number of roundings by which a state is moved.
     const ROUNDINGS: usize = 4;
     /// Number of steps of an adaptive method in a row of the grid from which on a standstill is expected.
@@ -107,6 +111,37 @@ impl Stepper {
         }
         if least < start {
             self.state.copy_from_slice(&self.next);
+        }
+    }
+
+    /// Rates at the present state and at the state before the switch found last, at the time `before` (SI), if a doubt of the search
+    /// for jumps is to be judged by them; otherwise empty.
+    pub(super) fn rates_around(&mut self, before: f64) -> [Vec<f64>; 2] {
+        let mut rates = [Vec::new(), Vec::new()];
+        if self.surfaces.doubts_jump(self.time - self.step) {
+            let places = [(self.time, self.state.as_slice()), (before, self.surfaces.before())];
+            for (rates, (time, state)) in rates.iter_mut().zip(places) {
+                rates.resize(state.len(), 0.0);
+                self.equations.rates(time, state, rates);
+            }
+        }
+        rates
+    }
+
+    /// Drops the doubt if the rates do not jump at the switch, as those of `sign(h)*sqrt(abs(h))` where h passes 0: the interpolant
+    /// is wrong at such a corner, but a switch that is skipped there has no effect. `rates` as [`Stepper::rates_around`].
+    pub(super) fn drop_doubt(&mut self, began: f64, [usual, before]: &[Vec<f64>; 2]) {
+        if before.is_empty() {
+            return;
+        }
+        let mut behind = vec![0.0; before.len()];
+        self.equations.rates(self.time, &self.state, &mut behind);
+        let jumps = behind.iter().enumerate().any(|(place, behind)| {
+            let jump = (before[place] - behind).abs();
+            jump > Self::JUMP * usual[place].abs() && jump * self.step > Self::SHIFT * self.state[place].abs()
+        });
+        if !jumps {
+            self.surfaces.drop_doubt(began - self.step);
         }
     }
 

@@ -11,6 +11,8 @@ mod events;
 mod families;
 mod friction;
 mod going_on;
+mod guarded;
+mod guards;
 mod large;
 mod maps;
 mod orders;

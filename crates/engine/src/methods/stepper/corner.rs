@@ -12,6 +12,8 @@ use crate::events::follow;
 use crate::{Cause, RunError};
 
 impl Stepper {
+    /// Fraction of a rate that counts as 0 after it.
+    const AT_REST: f64 = 0.1;
     /// Least jump of a rate, relative to the rate at the last step before.
     const JUMP: f64 = 1e-3;
     /// Least change of a state by it in a step of the grid, relative to the state.
@@ -20,6 +22,10 @@ impl Stepper {
     const ROUNDINGS: usize = 4;
     /// Number of steps of an adaptive method in a row of the grid from which on a standstill is expected.
     const MANY_STEPS: usize = 1000;
+    /// Number of short steps after which a standstill is expected.
+    const OFTEN: usize = 64;
+    /// Size of a step, as a fraction of that of the grid, with which a row takes too many steps.
+    const TOO_SHORT: f64 = 1e-5;
     /// Maximum distance of a corner at which a step fails, in multiples of the shortest step.
     const NEAR: f64 = 1024.0;
 
@@ -30,10 +36,10 @@ impl Stepper {
         while self.may_shorten() && size > least {
             size *= 0.5;
             if self.try_fixed(size) {
-                if self.next == self.state {
+                self.row.shortened += 1;
+                if self.row.shortened.is_multiple_of(Self::OFTEN) && self.is_too_short(size) {
                     break;
                 }
-                self.row.shortened += 1;
                 return Ok(self.arrive(self.time + size, size, None));
             }
         }
@@ -77,39 +83,44 @@ impl Stepper {
         Some(None)
     }
 
-    /// Goes beyond a corner nearby if an adaptive method makes many steps between two rows that are too short to change the state, because
-    /// longer ones have no value. `end` as for [`Stepper::cross`].
+    /// Goes beyond a corner nearby if an adaptive method makes many steps between two rows that hardly change the time, because longer
+    /// ones have no value. `end` as for [`Stepper::cross`].
     pub(super) fn leave_standstill(&mut self, end: f64) -> Option<Option<Early>> {
         let Solver::Adaptive(method) = &self.solver else { return None };
-        let last = method.last();
-        let stands = self.row.steps > Self::MANY_STEPS && last.end <= self.time && last.from == last.to;
-        let size = last.size;
-        if stands && size > 0.0 { self.cross(size, end, false) } else { None }
+        let (size, begins) = (method.last().size, method.end() <= self.time);
+        let often = self.row.steps > Self::MANY_STEPS && self.row.steps.is_multiple_of(Self::OFTEN);
+        if often && begins && size > 0.0 && self.is_too_short(size) { self.cross(size, end, false) } else { None }
     }
 
-    /// Moves the state before the crossing found last by roundings to where the rates are least. A motion that comes to rest on a
-    /// corner, as the levels of two tanks do, otherwise goes to and fro about it where no sum of rounded numbers is exactly there.
+    /// True if steps of this size (SI) do not reach the next row within the limits: rounding keeps a state before its corner, so that
+    /// steps no longer come nearer.
+    fn is_too_short(&self, size: f64) -> bool {
+        size < Self::TOO_SHORT * self.step
+    }
+
+    /// Moves the state before the crossing found last by roundings to where the rates are least, if one of them is nearly 0 there. A
+    /// motion that comes to rest on a corner, as the levels of two tanks do, otherwise goes to and fro about it where no sum of
+    /// rounded numbers is exactly there.
     pub(super) fn rest_on_corner(&mut self) {
         let Self { equations, surfaces, time, next: state, .. } = self;
-        let mut rates = vec![0.0; state.len()];
-        let mut speed = |state: &[f64]| {
-            equations.rates(*time, state, &mut rates);
-            rates.iter().fold(0.0, |sum, rate| sum + rate.abs())
-        };
+        let (mut rates, mut usual) = (vec![0.0; state.len()], vec![0.0; state.len()]);
         state.copy_from_slice(surfaces.before());
-        let start = speed(state);
-        let mut least = start;
+        equations.rates(*time, state, &mut usual);
+        let speed = |rates: &[f64]| rates.iter().fold(0.0, |sum, rate| sum + rate.abs());
+        let mut least = speed(&usual);
         for _ in 0..Self::ROUNDINGS {
             for place in 0..state.len() {
                 let known = state[place];
                 for moved in [known.next_down(), known.next_up()] {
                     let kept = std::mem::replace(&mut state[place], moved);
-                    let found = speed(state);
+                    equations.rates(*time, state, &mut rates);
+                    let found = speed(&rates);
                     if found < least { least = found } else { state[place] = kept }
                 }
             }
         }
-        if least < start {
+        equations.rates(*time, state, &mut rates);
+        if rates.iter().zip(&usual).any(|(rate, usual)| rate.abs() < Self::AT_REST * usual.abs()) {
             self.state.copy_from_slice(&self.next);
         }
     }

@@ -47,7 +47,10 @@ pub fn vessels() -> Vec<(f64, Guarded)> {
 pub fn others() -> Vec<Guarded> {
     let model = |corner: f64, text: &str| Guarded { text: format!("independent t\nparameter c = 1\n{text}"), corner };
     vec![
-        model(1.0, "d = a - b\na' = -0.5*c*sign(d)*sqrt(abs(d))\nb' = 0.5*sign(d)*sqrt(abs(d))\na(0) = 1.5\nb(0) = 1.25"),
+        model(
+            1.0,
+            "d = a - b\na' = -0.5*c*sign(d)*sqrt(abs(d))\nb' = 0.5*sign(d)*sqrt(abs(d))\na(0) = 1.5\nb(0) = 1.25",
+        ),
         model(
             1.0,
             "a' = if a > b then -0.5*c*sqrt(a - b) else 0.5*sqrt(b - a)\nb' = if a > b then 0.5*sqrt(a - b) else -0.5*sqrt(b - a)\n\

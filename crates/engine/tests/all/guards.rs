@@ -43,7 +43,10 @@ fn check(guarded: &Guarded, times: [f64; 2], exact: &[Vec<f64>; 2]) {
         });
         let expected = f64::from(1 << order);
         let [long, short] = errors;
-        assert!(guarded.corner == 0.0 || long < 1e-9 || long / short > 0.5 * expected, "{method}: {long}, {short} before it: {text}");
+        assert!(
+            guarded.corner == 0.0 || long < 1e-9 || long / short > 0.5 * expected,
+            "{method}: {long}, {short} before it: {text}"
+        );
     }
     for method in [Method::DormandPrince, Method::Rosenbrock] {
         let found = states(text, method, 0.05, times);

@@ -8,8 +8,10 @@ use ensemble::Features;
 #[test]
 fn lanes_over_guarded_corners_have_the_bits_of_single_runs() {
     let mut compared = 0;
-    for Guarded { text, corner } in vessels().into_iter().map(|(_, guarded)| guarded).chain(others()) {
-        let model = model::compile(&text, std::slice::from_ref(&(0..text.len()))).0.expect(&text).model;
+    let all = vessels().into_iter().map(|(_, guarded)| guarded).chain(others());
+    // At a corner at 0 the first steps are shorter than 1e-150 s.
+    for Guarded { text, corner } in all.filter(|guarded| guarded.corner > 0.0) {
+        let model = document::open(&format!("```model\n{text}\n```\n"), &[]).document.expect(&text).program.model;
         let setup = Setup { method: Method::DormandPrince, ..Setup::defaults(&model) };
         let nodes: Vec<_> = model.states.iter().map(|state| state.derivative).collect();
         let parameters: Vec<Vec<f64>> = (0..8).map(|run| vec![1.0 + 0.03 * f64::from(run)]).collect();

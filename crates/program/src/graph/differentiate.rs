@@ -141,7 +141,9 @@ fn rates_through(
 fn without_pole(graph: &mut Graph, node: NodeId, derivative: NodeId) -> NodeId {
     let zero = graph.constant(0.0);
     let steep = match graph.node(node) {
-        Node::Unary(Unary::SquareRoot | Unary::CubeRoot, x) | Node::Binary(Binary::Power, x, _) => graph.binary(Binary::Equal, x, zero),
+        Node::Unary(Unary::SquareRoot | Unary::CubeRoot, x) | Node::Binary(Binary::Power, x, _) => {
+            graph.binary(Binary::Equal, x, zero)
+        }
         Node::Unary(Unary::Asin | Unary::Acos, x) => {
             let (one, size) = (graph.constant(1.0), graph.unary(Unary::Absolute, x));
             graph.binary(Binary::Equal, size, one)

@@ -192,8 +192,8 @@ impl RunError {
                 words("check the equations for a division by zero; if there is none, try the method Rosenbrock")
             }
             Cause::Infinite(..) | Cause::NotANumber(..) => words(
-                "check the equations for a division by zero; if there is none, they are stiff, as those of a circuit with a diode: \
-                 use the method Rosenbrock (`rosenbrock`), or a smaller step",
+                "check the equations for a division by zero or a root of a negative number; if there is none, they may be stiff, \
+                 as those of a circuit with a diode: use the method Rosenbrock (`rosenbrock`), or a smaller step",
             ),
             Cause::StepTooSmall => words("the solution is not smooth there, or grows beyond all bounds"),
             Cause::TooManySteps(_, Method::Rosenbrock) => {

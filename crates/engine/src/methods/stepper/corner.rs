@@ -3,8 +3,8 @@
 //! A switch keeps its value during a step ([`program::Held`]), and a stage can lie beyond the corner, where that branch has no
 //! value: `sqrt(max(h, 0))` is evaluated as `sqrt(h)`. The same happens where an event comes before the equations lose their
 //! value. A step without a result is therefore shortened. Steps approach the corner by a constant factor each, with the order of
-//! the method, until the rounding of the time or of the state is reached. The last step goes beyond with the rates at the present state, which
-//! has a value, so that the switch changes or the event fires there.
+//! the method, until the rounding of the time or of the state is reached. The last step goes beyond with the rates at the present
+//! state, which has a value, so that the switch changes or the event fires there.
 
 use super::advance::Early;
 use super::{Solver, Stepper};
@@ -48,7 +48,8 @@ impl Stepper {
 
     /// Goes from the present state, where no step of the method is short enough, beyond the corner nearby, by a step with the rates
     /// at the present state (Euler). Without a corner nearby, it makes the shortest step if it `may_creep`: a stage can be beyond a
-    /// corner that the rates only point to after it. `shortest` and `end` are the size of that step and its latest end, SI units. Returns `None` if that cannot help.
+    /// corner that the rates only point to after it. `shortest` and `end` are the size of that step and its latest end, SI units.
+    /// Returns `None` if that cannot help.
     pub(super) fn cross(&mut self, shortest: f64, end: f64, may_creep: bool) -> Option<Option<Early>> {
         if !self.may_shorten() {
             return None;

@@ -6,7 +6,7 @@ mod arbitrary;
 mod compare;
 mod documents;
 mod fits;
-#[path = "../../../engine/tests/all/guarded.rs"]
+#[path = "../../../engine/tests/all/guards/models.rs"]
 mod guarded;
 mod guards;
 mod host;

@@ -11,7 +11,6 @@ mod events;
 mod families;
 mod friction;
 mod going_on;
-mod guarded;
 mod guards;
 mod large;
 mod maps;

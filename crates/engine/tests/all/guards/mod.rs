@@ -1,8 +1,10 @@
 //! Guards: a branch that has a value on one side of a corner only ends no run.
 
-use crate::guarded::{Guarded, others, vessels};
+mod models;
+
 use crate::support::{model, run, setup};
 use engine::{Method, NoticeKind, Run, Setup};
+use models::{Guarded, others, vessels};
 
 /// Orders of the methods with steps of the grid.
 const ORDERS: [(Method, i32); 4] =

@@ -192,7 +192,8 @@ impl RunError {
                 words("check the equations for a division by zero; if there is none, try the method Rosenbrock")
             }
             Cause::Infinite(..) | Cause::NotANumber(..) => words(
-                "check the equations for a division by zero; if there is none, try a smaller step or the method Dormand-Prince",
+                "check the equations for a division by zero or a root of a negative number; if there is none, they may be stiff, \
+                 as those of a circuit with a diode: use the method Rosenbrock (`rosenbrock`), or a smaller step",
             ),
             Cause::StepTooSmall => words("the solution is not smooth there, or grows beyond all bounds"),
             Cause::TooManySteps(_, Method::Rosenbrock) => {
@@ -200,8 +201,9 @@ impl RunError {
             }
             Cause::TooManySteps(..) => words("if the equations are stiff, use the method Rosenbrock"),
             Cause::TooManyEvents(..) => words(
-                "the events follow one another ever faster, like the last bounces of a ball; let an event end the \
-                 motion, or stop before",
+                "let a slow bounce be the last one: write `discrete rests = false`, in the event `rests = abs(y') < 0.01 [m/s], \
+                 y' = if abs(y') < 0.01 [m/s] then 0 else -e*y'`, and in the equation `if rests then 0 else -g`; let a controller \
+                 switch on and off at different values; or end the run there with `stop`",
             ),
             Cause::Ended(_) => words("press Play to go on from there"),
             Cause::TooManySwitches(_) => words(

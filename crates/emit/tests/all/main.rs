@@ -6,5 +6,8 @@ mod arbitrary;
 mod compare;
 mod documents;
 mod fits;
+#[path = "../../../engine/tests/all/guards/models.rs"]
+mod guarded;
+mod guards;
 mod host;
 mod programs;

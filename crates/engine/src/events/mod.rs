@@ -267,7 +267,7 @@ impl Events {
 }
 
 /// Linear extrapolation: probe = state + ahead * rates
-fn follow(probe: &mut [f64], state: &[f64], rates: &[f64], ahead: f64) {
+pub(crate) fn follow(probe: &mut [f64], state: &[f64], rates: &[f64], ahead: f64) {
     for ((probe, state), rate) in probe.iter_mut().zip(state).zip(rates) {
         *probe = state + ahead * rate;
     }

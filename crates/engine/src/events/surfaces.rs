@@ -73,6 +73,19 @@ impl Surfaces {
         skipped.into_iter().chain(too_fast).collect()
     }
 
+    /// True if a jump of the equations may have been missed at `time` (SI) or later, and none before.
+    pub fn doubts_jump(&self, time: f64) -> bool {
+        let doubt = self.looks.as_ref().and_then(Looks::doubt);
+        doubt.is_some_and(|doubt| doubt.event.is_none() && doubt.time >= time)
+    }
+
+    /// Drops the doubt of [`Surfaces::doubts_jump`].
+    pub fn drop_doubt(&mut self, time: f64) {
+        if let Some(looks) = &mut self.looks {
+            looks.go_back_to(time);
+        }
+    }
+
     /// Drops doubts recorded at `time` or later.
     pub fn go_back_to(&mut self, time: f64) {
         self.timetable.go_back_to(time);

@@ -232,12 +232,16 @@ impl Adaptive {
         self.repeat(equations, since, out);
     }
 
-    /// [`Adaptive::shorter`] without resetting the method, for repeated calls from the same start.
+    /// [`Adaptive::shorter`] without resetting the method, for repeated calls from the same start. The dense output replaces a
+    /// step with a stage at which the equations have no value.
     fn repeat(&mut self, equations: &mut Equations, since: f64, out: &mut [f64]) {
         if since < Self::AT_ONCE {
             out.copy_from_slice(&self.last.from);
         } else {
             step(&mut self.pair, equations, self.last.start, since, &self.last.from, out, &mut self.error);
+            if !out.iter().all(|value| value.is_finite()) {
+                self.dense(since, out);
+            }
         }
     }
 

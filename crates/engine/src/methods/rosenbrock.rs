@@ -120,6 +120,9 @@ impl Rosenbrock {
     ) {
         if !self.slopes_known {
             equations.slopes(time, from, &mut self.slopes);
+            // The derivative of a root is infinite at its zero, and its product with 0 undefined. With any other matrix the
+            // stages are still consistent, and the error estimate shortens the step.
+            self.slopes.iter_mut().filter(|slope| !slope.is_finite()).for_each(|slope| *slope = 0.0);
             self.slopes_known = true;
         }
         let (by_states, by_time) = self.slopes.split_at(self.slopes.len() - from.len());

@@ -3,6 +3,7 @@
 mod advance;
 mod ahead;
 mod compiled;
+mod corner;
 mod count;
 mod finish;
 mod moment;
@@ -63,6 +64,8 @@ struct RowWork {
     event_burst: Burst,
     /// Switches of the equations.
     switches: usize,
+    /// Steps that were shortened because the equations have no value.
+    shortened: usize,
 }
 
 /// Number of events or switches within a short time.

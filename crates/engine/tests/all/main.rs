@@ -11,6 +11,7 @@ mod events;
 mod families;
 mod friction;
 mod going_on;
+mod guards;
 mod large;
 mod maps;
 mod orders;

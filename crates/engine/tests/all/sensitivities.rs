@@ -293,3 +293,16 @@ y'(0) = 0 [m/s]
         check_against_differences("a spring with dry friction", text, time);
     }
 }
+
+/// The derivative of the root is infinite where the vessel is empty; behind it nothing depends on a parameter.
+#[test]
+fn of_a_vessel_that_runs_empty() {
+    let exact = |p: &[f64], t: f64| {
+        let root = p[1].sqrt() - 0.5 * p[0] * t;
+        if root > 0.0 { root * root } else { 0.0 }
+    };
+    for root in ["sqrt(max(h, 0))", "(if h > 0 then sqrt(h) else 0)", "sign(h)*sqrt(abs(h))"] {
+        let text = format!("independent t\nparameter c = 1\nparameter h_0 = 1\nh' = -c*{root}\nh(0) = h_0");
+        check(&text, &[1.0, 1.0], &[0.7, 1.6, 2.5], exact, 1e-4);
+    }
+}

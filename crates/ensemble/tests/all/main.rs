@@ -5,4 +5,7 @@
 mod compare;
 mod documents;
 mod ends;
+#[path = "../../../engine/tests/all/guards/models.rs"]
+mod guarded;
+mod guards;
 mod solutions;

@@ -2,7 +2,7 @@
 //! sensitivities to parameters.
 
 use super::{Binary, Graph, LinearSystem, Node, NodeId, Unary};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Variable of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -73,7 +73,14 @@ fn rates_through(
     let mut rates: HashMap<NodeId, NodeId> = HashMap::new();
     let mut systems: HashMap<u32, Option<u32>> = HashMap::new();
     let mut slopes: HashMap<u32, u32> = HashMap::new();
+    // Nodes that depend on a switch.
+    let mut bent: HashSet<NodeId> = HashSet::new();
     for &id in nodes {
+        let mut bends = graph.node(id).is_switch() || matches!(graph.node(id), Node::Select(..));
+        graph.for_each_operand(id, |operand| bends |= bent.contains(&operand));
+        if bends {
+            bent.insert(id);
+        }
         let derivative = match graph.node(id) {
             Node::Constant(_) => None,
             input @ (Node::Parameter(_)
@@ -81,10 +88,14 @@ fn rates_through(
             | Node::Independent
             | Node::State(_)
             | Node::Friction(..)) => rate(input),
-            Node::Unary(function, x) => rates.get(&x).copied().and_then(|dx| of_unary(graph, function, id, x, dx)),
+            Node::Unary(function, x) => {
+                let derivative = rates.get(&x).copied().and_then(|dx| of_unary(graph, function, id, x, dx));
+                derivative.map(|derivative| if bends { without_pole(graph, id, derivative) } else { derivative })
+            }
             Node::Binary(function, a, b) => {
                 let (da, db) = (rates.get(&a).copied(), rates.get(&b).copied());
-                of_binary(graph, function, id, (a, b), (da, db))
+                let derivative = of_binary(graph, function, id, (a, b), (da, db));
+                derivative.map(|derivative| if bends { without_pole(graph, id, derivative) } else { derivative })
             }
             Node::Select(condition, chosen, other) => {
                 let (chosen, other) = (rates.get(&chosen).copied(), rates.get(&other).copied());
@@ -123,6 +134,23 @@ fn rates_through(
         }
     }
     rates
+}
+
+/// The derivative of `node`, 0 where the slope of a root or of an inverse function is infinite. There a switch limits its argument, as
+/// in `sqrt(max(h, 0))`, and the derivative of that is 0 on one side.
+fn without_pole(graph: &mut Graph, node: NodeId, derivative: NodeId) -> NodeId {
+    let zero = graph.constant(0.0);
+    let steep = match graph.node(node) {
+        Node::Unary(Unary::SquareRoot | Unary::CubeRoot, x) | Node::Binary(Binary::Power, x, _) => {
+            graph.binary(Binary::Equal, x, zero)
+        }
+        Node::Unary(Unary::Asin | Unary::Acos, x) => {
+            let (one, size) = (graph.constant(1.0), graph.unary(Unary::Absolute, x));
+            graph.binary(Binary::Equal, size, one)
+        }
+        _ => return derivative,
+    };
+    graph.select(steep, zero, derivative)
 }
 
 /// Derivative of `value = function(x)`, where `x` has the rate `dx`.

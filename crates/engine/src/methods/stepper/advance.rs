@@ -19,7 +19,7 @@ pub enum Progress {
 
 /// Early end of a step at an event or switch.
 #[derive(Clone, Copy, Debug)]
-struct Early {
+pub(super) struct Early {
     /// Last moment before it.
     before: f64,
     /// First moment after it.
@@ -30,7 +30,7 @@ struct Early {
 
 impl Early {
     /// Early end at a crossing (relative to `start`) in a step of `size` from `start` to `end`.
-    fn new(crossing: Crossing, start: f64, size: f64, end: f64) -> Self {
+    pub fn new(crossing: Crossing, start: f64, size: f64, end: f64) -> Self {
         // With rounding, `start + size` may differ from `end`.
         let beyond = if crossing.high == size { end } else { (start + crossing.high).min(end) };
         Self { before: start + crossing.low, beyond, resolution: crossing.high - crossing.low }
@@ -43,6 +43,8 @@ impl Stepper {
     /// Maximum number of switches of the equations within one step of the grid; more of them stop the run. The switches of a
     /// relay that acts on a second derivative grow denser by a constant factor from step to step.
     pub const SWITCH_LIMIT: usize = 10_000;
+    /// Number of switches in a step of the grid from which on a motion to and fro about a corner is expected.
+    const TO_AND_FRO: usize = 16;
     /// Fraction of a step within which events are counted.
     const BURST_SPAN: f64 = 1e-2;
     /// Maximum number of steps of an adaptive method between two grid points; more of them stop the run.
@@ -168,21 +170,26 @@ impl Stepper {
         Ok(())
     }
 
-    /// Makes one step to `target`, or to an earlier event or switch.
+    /// Makes one step to `target`, or to an earlier event or switch, or a shorter one where the equations have no value.
     // Not inlined: `advance` is compiled with its caller, which is optimized for size on the page.
     fn fixed(&mut self, target: f64) -> Result<Option<Early>, RunError> {
-        let Solver::Fixed(method) = &mut self.solver else {
-            return Ok(None);
-        };
-        let (equations, time) = (&mut self.equations, self.time);
-        let expected = self.surfaces.timetable.next(time, target, &self.state);
+        let expected = self.surfaces.timetable.next(self.time, target, &self.state);
         let end = expected.map_or(target, |expected| expected.high);
-        let size = if self.on_grid && expected.is_none() { self.step } else { end - time };
-        method.step(equations, time, size, &self.state, &mut self.next);
-        if !self.next.iter().all(|value| value.is_finite()) {
-            let cause = not_finite(&self.next, equations.singular(), self.method);
-            return Err(self.error(cause));
-        }
+        let size = if self.on_grid && expected.is_none() { self.step } else { end - self.time };
+        if self.try_fixed(size) { Ok(self.arrive(end, size, expected)) } else { self.shortened(size, end) }
+    }
+
+    /// Computes the next state by a step of a fixed-step method of `size`, SI units. True if it is finite.
+    pub(super) fn try_fixed(&mut self, size: f64) -> bool {
+        let Solver::Fixed(method) = &mut self.solver else { return false };
+        method.step(&mut self.equations, self.time, size, &self.state, &mut self.next);
+        self.next.iter().all(|value| value.is_finite())
+    }
+
+    /// Moves to the next state, at `end` after a step of `size` (SI) of a fixed-step method, or to an earlier event or switch.
+    pub(super) fn arrive(&mut self, end: f64, size: f64, expected: Option<Crossing>) -> Option<Early> {
+        let Solver::Fixed(method) = &mut self.solver else { return None };
+        let (equations, time) = (&mut self.equations, self.time);
         if !self.surfaces.is_empty() {
             let (from, to) = ((time, self.state.as_slice()), (end, self.next.as_slice()));
             let mut state_at = |since: f64, out: &mut [f64]| method.step(equations, time, since, from.1, out);
@@ -191,19 +198,22 @@ impl Stepper {
                 let expected = expected.filter(|_| happened.is_none());
                 let (high, end) = happened.map_or((size, end), |since| (since, time + since));
                 let crossing = self.surfaces.locate(time, (low, high), expected, state_at);
-                return Ok(Some(Early::new(crossing, time, high, end)));
+                return Some(Early::new(crossing, time, high, end));
             }
             self.surfaces.events.pass();
         }
         std::mem::swap(&mut self.state, &mut self.next);
         self.time = end;
         self.on_grid = false;
-        Ok(None)
+        None
     }
 
     /// Advances to `target` or to the end of the step of the method, whichever is first, or to an earlier event or switch.
     fn adaptive(&mut self, target: f64) -> Result<Option<Early>, RunError> {
         self.begin_steps();
+        if let Some(early) = self.leave_standstill(target) {
+            return Ok(early);
+        }
         let Solver::Adaptive(method) = &mut self.solver else {
             return Ok(None);
         };
@@ -211,11 +221,9 @@ impl Stepper {
         if method.end() <= self.time
             && let Err(stalled) = method.extend(equations, target)
         {
-            let cause = match stalled {
-                Stalled::NotFinite => not_finite(method.attempt(), equations.singular(), self.method),
-                Stalled::TooSmall => Cause::StepTooSmall,
-            };
-            return Err(self.error(cause));
+            let finite = stalled == Stalled::TooSmall;
+            let cause = if finite { Cause::StepTooSmall } else { self.not_finite() };
+            return self.cross(f64::EPSILON * target, target, !finite).ok_or_else(|| self.error(cause));
         }
         let until = target.min(method.end());
         let expected = self.surfaces.timetable.next(self.time, until, &self.state);
@@ -249,7 +257,7 @@ impl Stepper {
     }
 
     /// An error at the current time.
-    fn error(&self, cause: Cause) -> RunError {
+    pub(super) fn error(&self, cause: Cause) -> RunError {
         RunError { cause, time: self.time }
     }
 
@@ -268,9 +276,15 @@ impl Stepper {
     fn switch(&mut self, early: Early, record: &mut dyn Record) -> Result<(), RunError> {
         let began = self.time;
         self.surfaces.approach(&mut self.equations, early.before);
+        let doubted = self.rates_around(early.before);
         self.time = early.beyond;
         self.state.copy_from_slice(self.surfaces.beyond());
+        self.row.switches += 1;
+        if self.row.switches >= Self::TO_AND_FRO && self.row.switches.is_power_of_two() {
+            self.rest_on_corner();
+        }
         let jumped = self.hold();
+        self.drop_doubt(began, &doubted);
         if let Some(switch) = jumped {
             if early.before > began {
                 record.row(early.before, self.surfaces.before(), false);
@@ -285,7 +299,6 @@ impl Stepper {
             self.surfaces.events.pass();
         }
         self.on_grid = self.time == target;
-        self.row.switches += 1;
         if self.row.switches > Self::SWITCH_LIMIT {
             return Err(self.error(Cause::TooManySwitches(Self::SWITCH_LIMIT)));
         }

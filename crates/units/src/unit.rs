@@ -1,5 +1,6 @@
 //! Units: a dimension, a factor to SI and a text.
 
+use crate::turns::Turns;
 use crate::{Dimension, UnitError, parse, table};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -16,8 +17,10 @@ pub struct Unit {
     /// Text as written by the author, in normal form: `kg/m^3`, `Pa s`; empty for a pure number.
     pub text: String,
     /// `factor` is `multiplier / divisor`, which are exact even if it is not: 1 and 100 for a centimetre.
-    multiplier: f64,
-    divisor: f64,
+    pub(crate) multiplier: f64,
+    pub(crate) divisor: f64,
+    /// Symbols that count turns.
+    pub(crate) turns: Turns,
 }
 
 impl Unit {
@@ -27,7 +30,7 @@ impl Unit {
     /// # Errors
     /// A symbol is unknown, the division is ambiguous, the scale has its own zero (`degC`), or the text is malformed.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
-        parse::parse(text).map(|(dimension, scale, text)| Self::new(dimension, scale, text))
+        parse::parse(text).map(|(dimension, scale, turns, text)| Self { turns, ..Self::new(dimension, scale, text) })
     }
 
     /// The coherent SI unit of a dimension; by name if it has one (`N`, `J`, `Pa s`), otherwise from base units (`kg/m^3`).
@@ -47,7 +50,7 @@ impl Unit {
     }
 
     pub(crate) fn new(dimension: Dimension, (multiplier, divisor): (f64, f64), text: String) -> Self {
-        Self { dimension, factor: multiplier / divisor, text, multiplier, divisor }
+        Self { dimension, factor: multiplier / divisor, text, multiplier, divisor, turns: Turns::NONE }
     }
 
     /// True if a number in this unit is its SI value.

@@ -88,10 +88,12 @@ impl<'a> TurnUnits<'a> {
             let definition = &declarations.definitions[index];
             let converts = units.converts(definition.value);
             let is_rate = types.definitions[index].dimension() == RATES.hertz.dimension;
-            let unit = definition.unit.map(|stated| stated.unit.clone()).or_else(|| {
-                let count = units.count(definition.value, false).filter(|_| is_rate);
-                count.map(rate_of).cloned()
-            });
+            let counted = || match own_unit(definition.value, &|_, _| None) {
+                Some(of_number) => count_of(&of_number).map(|_| of_number.into_owned()),
+                None => units.count(definition.value, false).map(|count| rate_of(count).clone()),
+            };
+            let unit = definition.unit.map(|stated| stated.unit.clone());
+            let unit = unit.or_else(|| is_rate.then(counted).flatten());
             let counts = unit.as_ref().is_some_and(Unit::counts_turns);
             units.definitions[index] = Counted { unit, converts: converts || counts };
         }

@@ -10,9 +10,10 @@ const UNITS: [(&str, f64); 5] =
 
 /// A document with a parameter `w`, a quantity `q` made of it, and both shown in each unit.
 fn document(unit: &str) -> String {
-    let shown = UNITS.iter().zip(0..).map(|((unit, _), place)| {
-        format!("w_{place} = w in [{unit}]\nq_{place} = q in [{unit}]\n")
-    });
+    let shown = UNITS
+        .iter()
+        .zip(0..)
+        .map(|((unit, _), place)| format!("w_{place} = w in [{unit}]\nq_{place} = q in [{unit}]\n"));
     let shown: String = shown.collect();
     format!(
         "---\nuntil: 1 [s]\nstep: 0.5 [s]\nvary: w\n---\n\n```model\nparameter w = 1 [{unit}] in 0..100000\n\

@@ -256,10 +256,10 @@ impl<'a> TurnUnits<'a> {
         let message = words!("`{name}` counts cycles, and a sine or cosine takes radians");
         let start = Span::new(factor.span.start, factor.span.start);
         let is_sum = matches!(factor.kind, ExpressionKind::Binary(..));
-        let product = if is_sum { format!("2*pi*({name})") } else { format!("2*pi*{name}") };
+        let example = if is_sum { format!("2*pi*({name})") } else { format!("2*pi*{name}") };
         let mut diagnostic = Diagnostic::warning("cycles-in-sine", message, factor.span)
             .with_note(words("one cycle per second, 1 Hz, is an angular frequency of 2*pi radians per second"))
-            .with_hint(words!("write `{product}`"));
+            .with_hint(words!("write `{example}`"));
         if !is_sum {
             diagnostic = diagnostic.with_fix(start, "2*pi*");
         }

@@ -3,6 +3,7 @@
 use crate::turns::Turns;
 use crate::{Dimension, UnitError, parse, table};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -17,10 +18,10 @@ pub struct Unit {
     /// Text as written by the author, in normal form: `kg/m^3`, `Pa s`; empty for a pure number.
     pub text: String,
     /// `factor` is `multiplier / divisor`, which are exact even if it is not: 1 and 100 for a centimetre.
-    pub(crate) multiplier: f64,
-    pub(crate) divisor: f64,
+    multiplier: f64,
+    divisor: f64,
     /// Symbols that count turns.
-    pub(crate) turns: Turns,
+    turns: Turns,
 }
 
 impl Unit {
@@ -74,6 +75,53 @@ impl Unit {
             Some(rounded) if self.to_si(rounded) == si => rounded,
             _ => value,
         }
+    }
+}
+
+impl Unit {
+    /// Exponent of 2 pi in the factor [`Self::turning`].
+    fn turned(&self, quantity: &Self) -> f64 {
+        let (own, other) = (self.turns, quantity.turns);
+        match (own.angles == 0.0 && other.cycles == 0.0, own.cycles == 0.0 && other.angles == 0.0) {
+            (true, false) if own.cycles == other.angles => own.cycles,
+            (false, true) if own.angles == other.cycles => -own.angles,
+            _ => 0.0,
+        }
+    }
+
+    /// Factor of an SI value stated in this unit where it is taken for a quantity stated in the unit `quantity`. A
+    /// frequency of 1 Hz is an angular velocity of 2 pi rad/s, 360 deg/s and 60 rpm. 1 unless one unit counts
+    /// cycles and the other angles; `1/s` counts neither.
+    pub fn turning(&self, quantity: &Self) -> f64 {
+        match self.turned(quantity) {
+            0.0 => 1.0,
+            exponent => libm::pow(TAU, exponent),
+        }
+    }
+
+    /// True if the unit counts cycles, like `Hz` and `kHz`, and no angles.
+    pub fn counts_cycles(&self) -> bool {
+        self.turns.cycles != 0.0 && self.turns.angles == 0.0
+    }
+
+    /// True if the unit counts cycles or angles.
+    pub fn counts_turns(&self) -> bool {
+        self.turns != Turns::NONE
+    }
+
+    /// SI value of `value` in this unit, taken for a quantity stated in the unit `quantity` of the same dimension: 60 rpm
+    /// are 1 Hz. Equals [`Self::to_si`] unless one unit counts cycles and the other angles, see [`Self::turning`].
+    pub fn to_si_of(&self, value: f64, quantity: &Self) -> f64 {
+        let exponent = self.turned(quantity);
+        if exponent == 0.0 {
+            return self.to_si(value);
+        }
+        // The pi of degrees and of revolutions per minute cancels that of the turn: 60 rpm are 1 Hz to the last bit.
+        let turn = libm::pow(TAU, exponent);
+        if quantity.turns.angles == 0.0 {
+            return value * (self.multiplier * turn) / self.divisor;
+        }
+        quantity.to_si(self.to_si(value) * (turn / quantity.multiplier) * quantity.divisor)
     }
 }
 

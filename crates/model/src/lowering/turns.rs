@@ -129,30 +129,45 @@ impl<'a> TurnUnits<'a> {
 
     /// What the terms of an expression count; `None` if that is not settled. `strict`: every term must count.
     fn count(&self, expression: &Expression, strict: bool) -> Option<Count> {
-        if let Some(unit) = self.own(expression) {
-            return count_of(&unit);
-        }
-        let common = |terms: &[&Expression]| {
-            let counts: Vec<_> = terms.iter().map(|term| self.count(term, strict)).collect();
-            let first = counts.iter().flatten().next().copied()?;
-            counts.iter().all(|count| count.map_or(!strict, |count| count == first)).then_some(first)
-        };
-        match &expression.kind {
-            ExpressionKind::Unary(UnaryOperator::Negate, operand) => self.count(operand, strict),
-            ExpressionKind::Binary(BinaryOperator::Add | BinaryOperator::Subtract, left, right)
-            | ExpressionKind::If(_, left, right) => common(&[left, right]),
-            ExpressionKind::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
-                self.counting_factor(expression).map(|(_, count)| count)
+        let mut found = None;
+        // Without recursion over the terms, because a written out sum has thousands.
+        let mut waiting = vec![expression];
+        while let Some(next) = waiting.pop() {
+            let count = match &next.kind {
+                _ if let Some(unit) = self.own(next) => count_of(&unit),
+                ExpressionKind::Unary(UnaryOperator::Negate, operand) => {
+                    waiting.push(operand);
+                    continue;
+                }
+                ExpressionKind::Binary(BinaryOperator::Add | BinaryOperator::Subtract, left, right)
+                | ExpressionKind::If(_, left, right) => {
+                    waiting.extend([&**left, &**right]);
+                    continue;
+                }
+                ExpressionKind::Call { function, arguments }
+                    if matches!(function.text.as_str(), "min" | "max" | "abs") =>
+                {
+                    waiting.extend(arguments);
+                    continue;
+                }
+                ExpressionKind::Expansion(expansion) if expansion.unit.is_none() => {
+                    waiting.push(&expansion.body);
+                    continue;
+                }
+                ExpressionKind::Expansion(expansion) => {
+                    expansion.unit.as_ref().and_then(|stated| count_of(&stated.unit))
+                }
+                ExpressionKind::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
+                    self.counting_factor(next).map(|(_, count)| count)
+                }
+                _ => None,
+            };
+            if count.is_some_and(|count| found.is_some_and(|found| found != count)) || (strict && count.is_none()) {
+                return None;
             }
-            ExpressionKind::Call { function, arguments } if matches!(function.text.as_str(), "min" | "max" | "abs") => {
-                common(&arguments.iter().collect::<Vec<_>>())
-            }
-            ExpressionKind::Expansion(expansion) => match &expansion.unit {
-                Some(stated) => count_of(&stated.unit),
-                None => self.count(&expansion.body, strict),
-            },
-            _ => None,
+            found = found.or(count);
         }
+        found
     }
 
     /// The only factor of a product that counts turns; `None` if another one may convert them or counts turns, too.

@@ -49,6 +49,30 @@ fn a_bare_name_is_converted_to_the_stated_unit_whatever_states_its_own() {
     assert_eq!(value("w = 1 [Hz]\nq = w in [rpm]"), (60.0, "rpm".to_owned()));
 }
 
+/// The unit of the first alternative holds for all.
+#[test]
+fn numbers_of_alternatives_are_converted() {
+    for (from, own) in UNITS {
+        for (to, other) in UNITS {
+            let source = format!("choice c {{\n    \"A\": q = 1 [{to}]\n    \"B\": q = 3 [{from}]\n}}");
+            let model = compile(&source);
+            let mut at = At::new(&model, 0.0, &[]);
+            at.parameters[0] = model.parameters[0].chosen("B", &model.texts).unwrap();
+            let found = model.quantities[0].value.unit.from_si(at.value(&model.graph, model.quantities[0].value.node));
+            assert!((found / (3.0 * own / other) - 1.0).abs() < 1e-14, "{source}\n{found}");
+        }
+    }
+}
+
+/// A sum of many terms and a deep nesting are followed without overflow.
+#[test]
+fn long_sums_are_followed() {
+    let sum = vec!["f"; 4000].join(" + ");
+    assert_eq!(value(&format!("f = 1 [Hz]\nq = {sum}")), (4000.0, "Hz".to_owned()));
+    let nested = format!("{}f{}", "2*(".repeat(40), " + f)".repeat(40));
+    assert_eq!(value(&format!("f = 1 [Hz]\nq = {nested}")).1, "Hz");
+}
+
 /// In an equation 1 rad is 1, and a unit stated for an expression converts nothing.
 #[test]
 fn expressions_are_not_converted() {

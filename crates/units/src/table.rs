@@ -28,7 +28,7 @@ impl Symbol {
         }
     }
 
-    /// How the symbol counts turns.
+    /// Cycles and angles that the symbol counts.
     pub(crate) fn turns(&self) -> Turns {
         let counts = |symbols: &[&str]| if symbols.contains(&self.text) { 1.0 } else { 0.0 };
         Turns { cycles: counts(&CYCLES), angles: counts(&ANGLES) }

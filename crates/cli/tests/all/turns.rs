@@ -16,7 +16,7 @@ fn document(unit: &str) -> String {
         .map(|((unit, _), place)| format!("w_{place} = w in [{unit}]\nq_{place} = q in [{unit}]\n"));
     let shown: String = shown.collect();
     format!(
-        "---\nuntil: 1 [s]\nstep: 0.5 [s]\nvary: w\n---\n\n```model\nparameter w = 1 [{unit}] in 0..100000\n\
+        "---\nuntil: 1 [s]\nstep: 0.5 [s]\nvary: w\n---\n\n```model\nparameter w = 1 [{unit}] in 0..1e9\n\
          q = w*(1 + 0*t/(1 [s]))\nx' = 0*x/(1 [s])\nx(0) = 1\n{shown}```\n"
     )
 }

@@ -127,7 +127,7 @@ impl<'a> TurnUnits<'a> {
         }
     }
 
-    /// What the terms of an expression count; `None` if that is not settled. `strict`: every term must count.
+    /// Returns what the terms of an expression count; `None` if that is not settled. `strict`: every term must count.
     fn count(&self, expression: &Expression, strict: bool) -> Option<Count> {
         let mut found = None;
         // Without recursion over the terms, because a written out sum has thousands.

@@ -43,10 +43,14 @@ impl Column {
         self.values.iter().filter(|value| value.is_finite()).count()
     }
 
-    /// Values in SI. A column without a unit is in `fallback`; without both, its values are returned unchanged.
-    pub fn si(&self, fallback: Option<&Unit>) -> Vec<f64> {
-        match self.unit.as_ref().or(fallback) {
-            Some(unit) => self.values.iter().map(|value| unit.to_si(*value)).collect(),
+    /// Values in SI, for a quantity stated in the unit `quantity` if there is one: a column in rpm is converted to cycles for
+    /// a quantity in Hz. A column without a unit is in `quantity`; without both, its values are returned unchanged.
+    pub fn si(&self, quantity: Option<&Unit>) -> Vec<f64> {
+        match self.unit.as_ref().or(quantity) {
+            Some(unit) => {
+                let quantity = quantity.unwrap_or(unit);
+                self.values.iter().map(|value| unit.to_si_of(*value, quantity)).collect()
+            }
             None => self.values.clone(),
         }
     }

@@ -4,7 +4,7 @@ use crate::pooling::{Measured, Outlier, Pool, pool};
 use saved::Number;
 use saved::hand_in::{Fact, FactValue, Part};
 use std::collections::BTreeMap;
-use units::Words;
+use units::{Unit, Words};
 
 /// A quantity fitted with a theory, in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,10 +69,11 @@ pub fn quantities<'a>(hand_ins: impl Iterator<Item = (usize, &'a [Fact])>) -> Ve
                 let Some(name) = error.quantity.strip_prefix(ERROR) else { continue };
                 let value = fit.iter().find(|fact| fact.quantity == name).and_then(number);
                 let measured = value.zip(number(error)).map(|(value, error)| Measured { value, error });
-                if let Some(measured) = measured.filter(|one| one.value.is_finite() && one.error > 0.0) {
+                if let Some(mut measured) = measured.filter(|one| one.value.is_finite() && one.error > 0.0) {
                     let unit = unit(fit, name);
                     let found = found.entry((theory.clone(), name.to_owned())).or_default();
-                    found.unit.get_or_insert(unit);
+                    let turning = turning(&unit, found.unit.get_or_insert_with(|| unit.clone()));
+                    (measured.value, measured.error) = (measured.value * turning, measured.error * turning);
                     found.results.insert(index, (measured, fixed(fit, name)));
                 }
             }
@@ -88,6 +89,12 @@ pub fn quantities<'a>(hand_ins: impl Iterator<Item = (usize, &'a [Fact])>) -> Ve
         Quantity { theory, name: derived.unwrap_or(name), is_derived, unit, results, fixed, pool }
     };
     found.into_iter().map(quantity).collect()
+}
+
+/// Factor of an SI value stated in the unit `own` for a quantity shown in `shown`, see [`Unit::turning`].
+pub(crate) fn turning(own: &str, shown: &str) -> f64 {
+    let unit = |text: &str| Unit::parse(text).ok();
+    unit(own).zip(unit(shown)).map_or(1.0, |(own, shown)| own.turning(&shown))
 }
 
 /// Unit of a quantity of a fit; empty if none is stated.

@@ -5,7 +5,7 @@ use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places,
 use program::{Assignment, Choices, Compiled, Graph, Kind, Model, Node};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use units::{QuantityName, Words, words};
+use units::{QuantityName, Unit, Words, words};
 
 /// Limits of the number of nodes and of the nesting depth of an expression after local names are replaced. Recursive
 /// functions rely on the nesting depth that the parser allows.
@@ -134,6 +134,8 @@ impl<'a> Expressions<'a> {
             let Some(value) = self.expect_constant(value, &words("the value of a parameter")) else {
                 continue;
             };
+            let unit = self.model().parameters[parameter].unit.clone();
+            let value = Placed { value: self.turned(value.value, &unit), ..value };
             if self.fits(parameter, &value) {
                 result.push(Assignment { parameter, value: value.value });
             }
@@ -200,6 +202,16 @@ impl<'a> Expressions<'a> {
                 .with_label(declared, words("the range is declared here")),
         );
         false
+    }
+
+    /// The value for a quantity stated in `unit`: if one unit counts cycles and the other angles, it is converted and gets
+    /// that unit.
+    pub fn turned(&mut self, value: Compiled, unit: &Unit) -> Compiled {
+        if value.unit.turning(unit) == 1.0 {
+            return value;
+        }
+        let node = model::turned(self.graph(), value.node, &value.unit, unit);
+        Compiled { node, unit: unit.clone(), ..value }
     }
 
     /// Index of the parameter with this name. Reports other names.

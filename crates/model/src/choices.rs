@@ -42,27 +42,34 @@ pub(crate) fn definitions(choice: &ChoiceStatement) -> impl Iterator<Item = Stat
 
 fn definition(choice: &ChoiceStatement, first: &ChosenValue) -> Statement {
     let name = &first.name;
-    let mut value: Option<Expression> = None;
-    for alternative in choice.alternatives.iter().rev() {
-        let own = alternative.values.iter().find(|value| value.name.text == name.text).unwrap_or(first);
-        let span = own.value.span;
-        value = Some(match value {
-            None => own.value.clone(),
-            Some(others) => {
-                let chosen = Expression::named(&choice.name.text, span);
-                let text = Expression { kind: ExpressionKind::Text(alternative.text.text.clone()), span };
-                let condition = Expression::binary(BinaryOperator::Equal, chosen, text, span);
-                Expression::conditional(condition, own.value.clone(), others, span)
-            }
-        });
-    }
-    let value = value.unwrap_or_else(|| first.value.clone());
     let unit = first.unit.clone().or_else(|| match &first.value.kind {
         ExpressionKind::Number { unit: Some(unit), .. } => {
             Some(crate::StatedUnit { unit: unit.clone(), span: first.value.span })
         }
         _ => None,
     });
+    let mut value: Option<Expression> = None;
+    for alternative in choice.alternatives.iter().rev() {
+        let own = alternative.values.iter().find(|value| value.name.text == name.text).unwrap_or(first);
+        let span = own.value.span;
+        let mut own = own.value.clone();
+        if let (ExpressionKind::Number { value, unit: Some(of_number) }, Some(stated)) = (&mut own.kind, &unit)
+            && of_number.turning(&stated.unit) != 1.0
+        {
+            *value = stated.unit.from_si(of_number.to_si_of(*value, &stated.unit));
+            *of_number = stated.unit.clone();
+        }
+        value = Some(match value {
+            None => own,
+            Some(others) => {
+                let chosen = Expression::named(&choice.name.text, span);
+                let text = Expression { kind: ExpressionKind::Text(alternative.text.text.clone()), span };
+                let condition = Expression::binary(BinaryOperator::Equal, chosen, text, span);
+                Expression::conditional(condition, own, others, span)
+            }
+        });
+    }
+    let value = value.unwrap_or_else(|| first.value.clone());
     let all = || choice.alternatives.iter().flat_map(|one| &one.values).filter(|one| one.name.text == name.text);
     Statement {
         label: all().find_map(|one| one.label.clone()),

@@ -5,7 +5,7 @@ use crate::dimensions::check_dimensions;
 use crate::families::{declared, sizes, without_families};
 use crate::functions::{Functions, written_out};
 use crate::groups::warn_of_empty;
-use crate::lowering::{assemble, remark_on_degrees, warn};
+use crate::lowering::{TurnUnits, assemble, remark_on_degrees, warn};
 use crate::names::{Declarations, NameCheck, Unknown, check_event, definition_order, find_unknowns, quotients};
 use crate::vectors::Vectors;
 use crate::{
@@ -148,12 +148,14 @@ fn checked(statements: Vec<Statement>, vectors: &Vectors, diagnostics: &mut Vec<
     if has_errors(diagnostics) {
         return None;
     }
-    match assemble(&declarations, &order, &unknowns, &types) {
+    let turn_units = TurnUnits::new(&declarations, &order, &types);
+    match assemble(&declarations, &order, &unknowns, (&types, &turn_units)) {
         Ok((mut model, places)) => {
             model.sizes = sizes;
             hide(&mut model, &statements, vectors);
             warn(&model, &places, &declarations, diagnostics);
             remark_on_degrees(&declarations, diagnostics);
+            turn_units.remark_on_sines(diagnostics);
             warn_of_empty(&statements, diagnostics);
             Some(Checked { model, places, statements, functions })
         }

@@ -3,7 +3,7 @@
 use crate::dimensions::{Alike, Form, Inference, Solver, Type, Types};
 use crate::families::{Bindings, expression_without_families, whole_number};
 use crate::functions::{Budget, Functions};
-use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, too_many_nodes};
+use crate::lowering::{Chain, Lowered, Lowering, TooManyNodes, frictions, own_unit, too_many_nodes, turned};
 use crate::names::{Meaning, NameCheck, Scope, for_each};
 use crate::notation::primed;
 use crate::tables::TableFunction;
@@ -171,15 +171,18 @@ impl<'a> Compiler<'a> {
         let Model { graph, texts, .. } = &mut *self.model;
         let mut lowering =
             Lowering { graph, texts, scope: &self.scope, chains: &self.chains, known: &mut self.lowered };
-        let node = lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])?;
+        let mut node = lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])?;
+        let model = &*self.model;
+        let own = own_unit(expression, &|name, order| Some(Cow::Owned(model.lookup(name, order)?.unit)));
+        let own = own.map(Cow::into_owned);
+        if let (Some(own), Some(stated)) = (&own, unit) {
+            node = turned(&mut self.model.graph, node, own, &stated.unit);
+        }
+        // Numbers are shown in SI units, unless they count turns.
+        let is_name = matches!(expression.kind, ExpressionKind::Name { .. } | ExpressionKind::InitialValue { .. });
         let unit = unit
             .map(|stated| stated.unit.clone())
-            .or_else(|| match &expression.kind {
-                ExpressionKind::Name { name, order } | ExpressionKind::InitialValue { name, order } => {
-                    self.model.lookup(name, *order).map(|named| named.unit)
-                }
-                _ => None,
-            })
+            .or_else(|| own.filter(|own| is_name || own.counts_turns() && !own.dimension.is_none()))
             .unwrap_or_else(|| Unit::si(found.dimension()));
         Ok(Compiled { node, kind: found.kind(), unit })
     }

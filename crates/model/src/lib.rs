@@ -38,6 +38,7 @@ pub use diagnostic::{Diagnostic, Edit, Fix, Label, Severity, Span, has_errors};
 pub use expression::Compiler;
 pub use formatting::{Form, format, spaced};
 pub use functions::Functions;
+pub use lowering::turned;
 pub use parser::{parse, parse_assignments, parse_expression};
 pub use places::Places;
 pub use sentence::{

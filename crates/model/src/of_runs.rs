@@ -4,12 +4,13 @@
 //! at the end of a run. An extra parameter after those of the model stands for it.
 
 use crate::dimensions::Form;
+use crate::lowering::turned;
 use crate::names::{Meaning, for_each};
 use crate::notation::quote;
 use crate::syntax::rewrite;
 use crate::{Compiler, Diagnostic, Expression, ExpressionKind, Span, StatedUnit};
 use program::{Aggregate, AggregateKind, Compiled, Kind};
-use units::{Unit, words};
+use units::words;
 
 /// A replaced call: its name in the rest of the expression, and its argument.
 struct Call {
@@ -90,11 +91,13 @@ impl Compiler<'_> {
         }
         self.types.parameters.truncate(declared);
         self.types.parameter_kinds.truncate(declared);
-        let of_call = |of: Unit, stated: Unit| if unit.is_none() { of } else { stated };
-        compiled.map(|value| match unit_of_call {
-            Some(of) => Compiled { unit: of_call(of, value.unit.clone()), ..value },
-            None => value,
-        })
+        let mut value = compiled?;
+        match (unit_of_call, unit) {
+            (Some(of), Some(stated)) => value.node = turned(&mut self.model.graph, value.node, &of, &stated.unit),
+            (Some(of), None) => value.unit = of,
+            (None, _) => {}
+        }
+        Ok(value)
     }
 
     /// Replaces the calls by names and returns them.

@@ -105,8 +105,8 @@ impl Reader<'_> {
         Ok(presses)
     }
 
-    /// SI value of a number in `unit`, of a number with its own unit, or of an expression in the parameters. `what`:
-    /// name of the value, for messages.
+    /// SI value for a quantity stated in `unit`: of a number in `unit`, of a number with its own unit, or of an expression in
+    /// the parameters. `what`: name of the value, for messages.
     pub fn value(&mut self, what: &str, text: &str, unit: &Unit, parameters: &[f64]) -> Result<f64, Refusal> {
         if let Ok(number) = text.parse::<f64>() {
             return finite(what, unit.to_si(number));
@@ -133,7 +133,10 @@ impl Reader<'_> {
         }
         let zeros = vec![0.0; self.model.states.len()];
         let value = Readings::new(self.model, &[compiled.node]).at(parameters, &zeros, 0.0, &zeros).first().copied();
-        finite(what, value.unwrap_or(f64::NAN))
+        let value = value.unwrap_or(f64::NAN);
+        let own = &compiled.unit;
+        let turned = if own.turning(unit) == 1.0 { value } else { own.to_si_of(own.from_si(value), unit) };
+        finite(what, turned)
     }
 
     /// Compiles an expression with names of the document. `what`: name of the value, for messages.

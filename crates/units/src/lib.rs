@@ -22,6 +22,7 @@ mod quantity;
 mod scale;
 pub mod split_mix;
 mod table;
+mod turns;
 mod unit;
 mod unit_error;
 

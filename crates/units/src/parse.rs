@@ -10,6 +10,7 @@
 //! Only one factor may follow `/`: `J/kg K` is ambiguous and needs parentheses.
 
 use crate::scale::Scale;
+use crate::turns::Turns;
 use crate::unit_error::{error, hinting, too_high, unknown};
 use crate::{Dimension, Exponent, UnitError, table, words};
 use std::ops::Range;
@@ -17,12 +18,13 @@ use std::ops::Range;
 /// Maximum depth of parentheses.
 const DEPTH: usize = 16;
 
-/// Parses a unit: its dimension, its SI value as a quotient of exact numbers, and its text in normal form.
-pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), String), UnitError> {
+/// Parses a unit: its dimension, its SI value as a quotient of exact numbers, the turns that it counts, and its text in
+/// normal form.
+pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), Turns, String), UnitError> {
     let mut reader = Reader { text, at: 0 };
     reader.blanks();
     if reader.at == text.len() {
-        return Ok((Dimension::NONE, (1.0, 1.0), String::new()));
+        return Ok((Dimension::NONE, (1.0, 1.0), Turns::NONE, String::new()));
     }
     let part = reader.unit(0)?;
     if reader.at < text.len() {
@@ -34,13 +36,14 @@ pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), String), UnitE
         return Err(error("malformed-unit", 0..text.len(), words("this unit is too large or too small for a number")));
     }
     let text = if part.text == "1" { String::new() } else { part.text };
-    Ok((part.dimension, (multiplier, divisor), text))
+    Ok((part.dimension, (multiplier, divisor), part.turns, text))
 }
 
 /// A part of a unit with its text in normal form.
 struct Part {
     dimension: Dimension,
     scale: Scale,
+    turns: Turns,
     text: String,
     range: Range<usize>,
 }
@@ -142,7 +145,8 @@ impl<'a> Reader<'a> {
         let dimension = above.dimension.times(inverse).ok_or_else(|| too_high(range.clone()))?;
         let below_text = grouped(below.text, &[' ', '/']);
         let scale = above.scale.times(below.scale.power(Exponent::from(-1)));
-        Ok(Part { dimension, scale, text: format!("{}/{below_text}", above.text), range })
+        let turns = above.turns.times(below.turns, -1.0);
+        Ok(Part { dimension, scale, turns, text: format!("{}/{below_text}", above.text), range })
     }
 
     fn product(&mut self, depth: usize) -> Result<Part, UnitError> {
@@ -160,7 +164,8 @@ impl<'a> Reader<'a> {
                 (_, "1") => product.text,
                 _ => format!("{} {}", grouped(product.text, &['/']), grouped(factor.text, &['/'])),
             };
-            product = Part { dimension, scale: product.scale.times(factor.scale), text, range };
+            let turns = product.turns.times(factor.turns, 1.0);
+            product = Part { dimension, scale: product.scale.times(factor.scale), turns, text, range };
         }
     }
 
@@ -196,7 +201,8 @@ impl<'a> Reader<'a> {
             && !self.rest()[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.')
         {
             self.at += 1;
-            Part { dimension: Dimension::NONE, scale: Scale::ONE, text: "1".to_owned(), range: start..self.at }
+            let (dimension, scale, turns) = (Dimension::NONE, Scale::ONE, Turns::NONE);
+            Part { dimension, scale, turns, text: "1".to_owned(), range: start..self.at }
         } else {
             self.symbol()?
         };
@@ -206,7 +212,8 @@ impl<'a> Reader<'a> {
             let dimension = part.dimension.power(exponent).ok_or_else(|| too_high(range))?;
             let base = grouped(part.text, &[' ', '/', '^']);
             let text = if base == "1" { base } else { exponent.power_of(&base) };
-            part = Part { dimension, scale: part.scale.power(exponent), text, range: start..self.at };
+            let (scale, turns) = (part.scale.power(exponent), Turns::NONE.times(part.turns, exponent.to_number()));
+            part = Part { dimension, scale, turns, text, range: start..self.at };
         }
         part.range = start..self.at;
         Ok(part)
@@ -232,7 +239,7 @@ impl<'a> Reader<'a> {
         let text: String = written.chars().map(alike).collect();
         if let Some((symbol, tens)) = table::find(&text) {
             let scale = symbol.scale.times(Scale::decimal(1, tens));
-            return Ok(Part { dimension: symbol.dimension(), scale, text, range });
+            return Ok(Part { dimension: symbol.dimension(), scale, turns: symbol.turns(), text, range });
         }
         Err(unknown(&text, range))
     }

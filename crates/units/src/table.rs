@@ -2,6 +2,7 @@
 
 use crate::Dimension;
 use crate::scale::Scale;
+use crate::turns::Turns;
 use std::f64::consts::PI;
 
 /// A unit symbol.
@@ -13,12 +14,24 @@ pub(crate) struct Symbol {
     prefixes: bool,
 }
 
+/// Symbols that count whole turns.
+const CYCLES: [&str; 1] = ["Hz"];
+
+/// Symbols that count angles.
+const ANGLES: [&str; 4] = ["rad", "deg", "°", "rpm"];
+
 impl Symbol {
     pub(crate) fn dimension(&self) -> Dimension {
         match self.dimension {
             Base::Si(exponents) => Dimension::from_whole(exponents),
             Base::Pixel => Dimension::PIXEL,
         }
+    }
+
+    /// Cycles and angles that the symbol counts.
+    pub(crate) fn turns(&self) -> Turns {
+        let counts = |symbols: &[&str]| if symbols.contains(&self.text) { 1.0 } else { 0.0 };
+        Turns { cycles: counts(&CYCLES), angles: counts(&ANGLES) }
     }
 }
 

@@ -1,7 +1,9 @@
 //! Units: a dimension, a factor to SI and a text.
 
+use crate::turns::Turns;
 use crate::{Dimension, UnitError, parse, table};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -18,6 +20,8 @@ pub struct Unit {
     /// `factor` is `multiplier / divisor`, which are exact even if it is not: 1 and 100 for a centimetre.
     multiplier: f64,
     divisor: f64,
+    /// Symbols that count turns.
+    turns: Turns,
 }
 
 impl Unit {
@@ -27,7 +31,7 @@ impl Unit {
     /// # Errors
     /// A symbol is unknown, the division is ambiguous, the scale has its own zero (`degC`), or the text is malformed.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
-        parse::parse(text).map(|(dimension, scale, text)| Self::new(dimension, scale, text))
+        parse::parse(text).map(|(dimension, scale, turns, text)| Self { turns, ..Self::new(dimension, scale, text) })
     }
 
     /// The coherent SI unit of a dimension; by name if it has one (`N`, `J`, `Pa s`), otherwise from base units (`kg/m^3`).
@@ -47,7 +51,7 @@ impl Unit {
     }
 
     pub(crate) fn new(dimension: Dimension, (multiplier, divisor): (f64, f64), text: String) -> Self {
-        Self { dimension, factor: multiplier / divisor, text, multiplier, divisor }
+        Self { dimension, factor: multiplier / divisor, text, multiplier, divisor, turns: Turns::NONE }
     }
 
     /// True if a number in this unit is its SI value.
@@ -71,6 +75,53 @@ impl Unit {
             Some(rounded) if self.to_si(rounded) == si => rounded,
             _ => value,
         }
+    }
+}
+
+impl Unit {
+    /// Exponent of 2 pi in the factor [`Self::turning`].
+    fn turned(&self, quantity: &Self) -> f64 {
+        let (own, other) = (self.turns, quantity.turns);
+        match (own.angles == 0.0 && other.cycles == 0.0, own.cycles == 0.0 && other.angles == 0.0) {
+            (true, false) if own.cycles == other.angles => own.cycles,
+            (false, true) if own.angles == other.cycles => -own.angles,
+            _ => 0.0,
+        }
+    }
+
+    /// Factor of an SI value stated in this unit where it is taken for a quantity stated in the unit `quantity`. A
+    /// frequency of 1 Hz is an angular velocity of 2 pi rad/s, 360 deg/s and 60 rpm. 1 unless one unit counts
+    /// cycles and the other angles; `1/s` counts neither.
+    pub fn turning(&self, quantity: &Self) -> f64 {
+        match self.turned(quantity) {
+            0.0 => 1.0,
+            exponent => libm::pow(TAU, exponent),
+        }
+    }
+
+    /// True if the unit counts cycles, like `Hz` and `kHz`, and no angles.
+    pub fn counts_cycles(&self) -> bool {
+        self.turns.cycles != 0.0 && self.turns.angles == 0.0
+    }
+
+    /// True if the unit counts cycles or angles.
+    pub fn counts_turns(&self) -> bool {
+        self.turns != Turns::NONE
+    }
+
+    /// SI value of `value` in this unit, taken for a quantity stated in the unit `quantity` of the same dimension: 60 rpm
+    /// are 1 Hz. Equals [`Self::to_si`] unless one unit counts cycles and the other angles, see [`Self::turning`].
+    pub fn to_si_of(&self, value: f64, quantity: &Self) -> f64 {
+        let exponent = self.turned(quantity);
+        if exponent == 0.0 {
+            return self.to_si(value);
+        }
+        // The pi of degrees and of revolutions per minute cancels that of the turn: 60 rpm are 1 Hz to the last bit.
+        let turn = libm::pow(TAU, exponent);
+        if quantity.turns.angles == 0.0 {
+            return value * (self.multiplier * turn) / self.divisor;
+        }
+        quantity.to_si(self.to_si(value) * (turn / quantity.multiplier) * quantity.divisor)
     }
 }
 

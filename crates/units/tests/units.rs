@@ -1,6 +1,7 @@
 //! Units as typed: meaning, conversion, printing, and errors.
 
 use proptest::prelude::*;
+use std::f64::consts::TAU;
 use units::{Dimension, Exponent, Unit};
 
 #[allow(clippy::panic, reason = "a test's way to fail")]
@@ -294,5 +295,66 @@ proptest! {
     fn fractions_are_recognised_as_exponents(numerator in -40_i64..=40, denominator in 1_i64..=12) {
         let value = numerator as f64 / denominator as f64;
         prop_assert_eq!(Exponent::from_number(value), Exponent::new(numerator, denominator));
+    }
+}
+
+/// Units that count cycles, each with its factor to cycles per second, and units that count angles, each with its
+/// factor to turns per second.
+const CYCLES: [(&str, f64); 5] = [("Hz", 1.0), ("kHz", 1e3), ("mHz", 1e-3), ("MHz", 1e6), ("(Hz^2)^(1/2)", 1.0)];
+const ANGLES: [(&str, f64); 8] = [
+    ("rad/s", 1.0 / TAU),
+    ("rad s^-1", 1.0 / TAU),
+    ("mrad/s", 1e-3 / TAU),
+    ("rad/min", 1.0 / TAU / 60.0),
+    ("deg/s", 1.0 / 360.0),
+    ("°/s", 1.0 / 360.0),
+    ("deg/min", 1.0 / 21_600.0),
+    ("rpm", 1.0 / 60.0),
+];
+
+#[test]
+fn cycles_and_angles_are_converted_through_the_turn() {
+    let all = || CYCLES.iter().chain(&ANGLES);
+    for (from, turns) in all() {
+        for (to, unit_turns) in all() {
+            let (own, quantity) = (unit(from), unit(to));
+            let found = quantity.from_si(own.to_si_of(2.5, &quantity));
+            let expected = 2.5 * turns / unit_turns;
+            assert!((found / expected - 1.0).abs() < 1e-14, "2.5 {from} are {found} {to}, not {expected}");
+            let scaled = quantity.from_si(own.to_si(2.5) * own.turning(&quantity));
+            assert!((scaled / expected - 1.0).abs() < 1e-14, "2.5 {from} are {scaled} {to}, not {expected}");
+            assert_eq!(own.counts_cycles(), CYCLES.contains(&(from, *turns)), "{from}");
+        }
+        // A unit that counts neither takes the number as it is.
+        for neither in ["1/s", "1/min", "s^-1"].map(unit) {
+            assert_eq!(unit(from).to_si_of(2.5, &neither), unit(from).to_si(2.5), "{from}");
+            assert_eq!(neither.to_si_of(2.5, &unit(from)), neither.to_si(2.5), "{from}");
+        }
+    }
+    for (from, to, value) in [("rpm", "Hz", 60.0), ("deg/s", "Hz", 360.0), ("deg/s", "kHz", 360e3)] {
+        assert_eq!(unit(to).from_si(unit(from).to_si_of(value, &unit(to))), 1.0, "{from}");
+        assert_eq!(unit(from).from_si(unit(to).to_si_of(1.0, &unit(from))), value, "{from}");
+    }
+}
+
+#[test]
+fn powers_are_converted_by_powers_of_the_turn() {
+    for (from, to, factor) in [
+        ("Hz/s", "rad/s^2", TAU),
+        ("Hz^2", "rad^2/s^2", TAU * TAU),
+        ("J/Hz", "J s/rad", 1.0 / TAU),
+        ("V/Hz", "V/rpm", 1.0 / TAU),
+        ("m Hz", "m rad/s", TAU),
+        // Neither, both, or another power.
+        ("J s", "J s/rad", 1.0),
+        ("rad Hz", "Hz", 1.0),
+        ("rad/s^2", "Hz^2", 1.0),
+        ("N m/rad", "N m", 1.0),
+        ("rad", "", 1.0),
+        ("m", "cm", 1.0),
+    ] {
+        let (one, other) = (unit(from), unit(to));
+        assert!((one.turning(&other) / factor - 1.0).abs() < 1e-15, "{from} to {to}");
+        assert!((other.turning(&one) * factor - 1.0).abs() < 1e-15, "{to} to {from}");
     }
 }

@@ -67,7 +67,10 @@ pub(super) fn are_parallel(one: &Column, other: &Column) -> bool {
 /// True if the difference of two columns in SI is everywhere `expected` of the first difference.
 fn differ_by(one: &Column, other: &Column, expected: impl Fn(f64) -> f64) -> bool {
     let (own, its) = (one.unit.as_ref().or(other.unit.as_ref()), other.unit.as_ref().or(one.unit.as_ref()));
-    let si = |unit: Option<&units::Unit>, value: f64| unit.map_or(value, |unit| unit.to_si(value));
+    let si = |unit: Option<&units::Unit>, value: f64| match (unit, own) {
+        (Some(unit), Some(own)) => unit.to_si_of(value, own),
+        _ => value,
+    };
     let mut first = None;
     one.values.iter().zip(&other.values).all(|(a, b)| {
         let (a, b) = (si(own, *a), si(its, *b));

@@ -3,7 +3,7 @@
 use super::figures::{Look, scale};
 use crate::against::{Against, Point, Power};
 use crate::collection::Collection;
-use crate::results::{Fixed, Quantity};
+use crate::results::{Fixed, Quantity, turning};
 use figure::{Axis, Plot, Series, Style};
 use report::{Page, escaped, plain_symbol};
 use units::Unit;
@@ -98,7 +98,7 @@ fn figure(quantity: &Quantity, collection: &Collection, parameter: &Fixed, look:
     let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
     for ((_, measured), fixed) in quantity.results.iter().zip(&quantity.fixed) {
         if let Some(own) = fixed.iter().find(|own| own.name == parameter.name) {
-            x.push(unit.from_si(own.value));
+            x.push(unit.from_si(own.value * turning(&own.unit, &parameter.unit)));
             y.push(measured.value / scale);
             errors.push(measured.error / scale);
         }

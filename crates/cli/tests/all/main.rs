@@ -29,3 +29,4 @@ mod strangers;
 mod surveys;
 mod sweep;
 mod track;
+mod turns;

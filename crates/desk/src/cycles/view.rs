@@ -243,7 +243,7 @@ fn usual_column(play: &Play, records: &Records) -> Option<(u32, usize)> {
 fn measure(play: &Play, record: &Record, column: usize) -> Option<Found> {
     let independent = &play.model().independent;
     let used = record.uses().get(column)?;
-    let (mut times, mut values) = record.series(column, &independent.name)?;
+    let (mut times, mut values) = record.series(column, independent)?;
     times.iter_mut().for_each(|time| *time = independent.unit.from_si(*time));
     values.iter_mut().for_each(|value| *value = used.meaning.unit.from_si(*value));
     Some(Found {
@@ -251,7 +251,7 @@ fn measure(play: &Play, record: &Record, column: usize) -> Option<Found> {
         cycles: cycles::cycles(&times, &values),
         unit: used.meaning.unit.clone(),
         name: used.meaning.quantity.clone(),
-        origin: record.origin(&independent.name, play.model().is_autonomous()),
+        origin: record.origin(independent, play.model().is_autonomous()),
     })
 }
 

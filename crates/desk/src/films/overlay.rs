@@ -83,7 +83,7 @@ impl ShownFilms<'_> {
 
     fn origin_of(self, work: &Work) -> Option<f64> {
         let model = self.play.model();
-        Some(self.records.get(work.record?)?.origin(&model.independent.name, model.is_autonomous()))
+        Some(self.records.get(work.record?)?.origin(&model.independent, model.is_autonomous()))
     }
 
     fn quantities(self, work: &Work, track: usize) -> Option<Model> {

@@ -250,7 +250,7 @@ impl ShownFits<'_> {
             self.records().iter().filter(|choice| choice.taking_part).map(|choice| choice.id).collect();
         let mut origins = (self.records.all().iter())
             .filter(|record| taking_part.contains(&record.id()))
-            .map(|record| record.origin(&model.independent.name, model.is_autonomous()));
+            .map(|record| record.origin(&model.independent, model.is_autonomous()));
         let origin = origins.next()?;
         let unit = &model.independent.unit;
         origins.all(|other| other == origin).then(|| [part.low, part.high].map(|end| unit.to_si(end) + origin))

@@ -37,7 +37,7 @@ impl ShownFits<'_> {
             for own in &fit.outcome.observations {
                 let part = fit.definition.parts.get(own.record);
                 let record = part.and_then(|part| self.records.get(part.record));
-                let begins = record.map(|record| record.origin(&model.independent.name, model.is_autonomous()));
+                let begins = record.map(|record| record.origin(&model.independent, model.is_autonomous()));
                 let origin = fit.outcome.origins.get(own.record).copied().or(begins).unwrap_or(0.0);
                 let time = |time: &f64| model.independent.unit.from_si(time - origin);
                 let rows = own.times.iter().zip(&own.measured).zip(&own.fitted).zip(&own.inside);

@@ -74,7 +74,7 @@ impl ShownFits<'_> {
     pub fn compare_periods(self, question: PeriodQuestion) -> Option<PeriodComparison> {
         let model = self.play.model();
         let (record, column) = question.series;
-        let (mut times, mut values) = self.records.get(record)?.series(column, &model.independent.name)?;
+        let (mut times, mut values) = self.records.get(record)?.series(column, &model.independent)?;
         times.truncate(MOST_ROWS);
         values.truncate(MOST_ROWS);
         let varied = question.varied.iter().zip(&model.parameters).enumerate();

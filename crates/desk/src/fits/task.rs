@@ -4,6 +4,7 @@ use crate::fits::ShownFits;
 use crate::fits::fit::{Job, Part, StatedError};
 use crate::records::recognise::observed;
 use crate::records::record::Record;
+use crate::records::series::turn;
 use crate::records::understood::{lacks_scale, no_scale};
 use crate::words::fit_error;
 use crate::{Refusal, words};
@@ -94,16 +95,22 @@ fn observations(record: &Record, part: &Part, model: &program::Model) -> Vec<Obs
         if observed.dimension() != used.meaning.unit.dimension {
             continue;
         }
-        let Some((times, values)) = record.series_as(uses, column, independent) else { continue };
+        let Some((times, mut values)) = record.series_as(uses, column, &model.independent) else { continue };
         let derived_from =
             record.computed_from(column).and_then(|source| followed.iter().position(|&own| own == source));
         followed.push(column);
-        let errors = match part.errors.iter().find(|(stated, _)| *stated == column) {
+        let errors = part.errors.iter().find(|(own, _)| *own == column);
+        let stated = matches!(errors, Some((_, StatedError::Value(_))));
+        let errors = match errors {
             Some((_, StatedError::Value(error))) => Some(vec![*error; values.len()]),
             Some((_, StatedError::Column(beside))) => record.errors_in(*beside, uses, column, independent),
             None => record.errors_as(uses, column, independent),
         };
-        let errors = errors.filter(|errors| errors.len() == values.len());
+        let mut errors = errors.filter(|errors| errors.len() == values.len());
+        turn(&mut values, &used.meaning.unit, &observed.unit);
+        if let (Some(errors), false) = (&mut errors, stated) {
+            turn(errors, &used.meaning.unit, &observed.unit);
+        }
         observations.push(Observation { name: name.clone(), observed, times, values, errors, derived_from });
     }
     observations

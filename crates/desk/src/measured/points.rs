@@ -4,6 +4,7 @@ use crate::measured::MeasuredData;
 use crate::measured::data::{Measured, Residuals};
 use crate::records::Records;
 use crate::records::recognise::observed;
+use crate::records::series::turn;
 use document::Document;
 use engine::Readings;
 use play::{Play, Points, points_colour, symbol};
@@ -17,14 +18,14 @@ impl MeasuredData {
     /// changed.
     pub(crate) fn renew(&mut self, play: &mut Play, document: &Document, records: &Records) {
         let model = play.model();
-        let independent = &model.independent.name;
+        let independent = &model.independent;
         let autonomous = model.is_autonomous();
         let mut measured = Vec::new();
         for record in records.all().iter().filter(|record| record.is_shown()) {
             let origin = record.origin(independent, autonomous);
             for (index, used) in record.uses().iter().enumerate() {
                 let name = &used.meaning.quantity;
-                if name.is_empty() || name == independent {
+                if name.is_empty() || *name == independent.name {
                     continue;
                 }
                 let Some(observed) = observed(model, name) else { continue };
@@ -32,9 +33,12 @@ impl MeasuredData {
                     && let Some((mut times, mut values)) = record.series(index, independent)
                 {
                     times.iter_mut().for_each(|time| *time -= origin);
+                    turn(&mut values, &used.meaning.unit, &observed.unit);
                     values.iter_mut().for_each(|value| *value -= used.offset);
                     let pause = usual_pause(&times);
-                    let errors = record.errors_beside(record.uses(), index, independent).unwrap_or_default();
+                    let errors = record.errors_beside(record.uses(), index, &independent.name);
+                    let mut errors = errors.unwrap_or_default();
+                    turn(&mut errors, &used.meaning.unit, &observed.unit);
                     let (record, record_name, name) = (record.id(), record.name().to_owned(), name.clone());
                     measured.push(Measured { record, record_name, name, observed, times, values, errors, pause });
                 }
@@ -64,7 +68,15 @@ fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured]) -
     if plot.drawing != Drawing::Run {
         return found;
     }
-    let of = |curve: &Curve, measured: &&Measured| measured.observed.node == curve.value.node;
+    let of = |curve: &Curve, measured: &&Measured| {
+        let (own, shown) = (&measured.observed, &curve.value);
+        // `omega in [Hz]` draws the column of `omega`, too.
+        let node = match own.unit.turning(&shown.unit) {
+            1.0 => own.node,
+            _ => model::turned(&mut model.graph.clone(), own.node, &own.unit, &shown.unit),
+        };
+        node == shown.node
+    };
     // Curves of the same dimension share an axis and the unit of the first of them.
     let unit = |curve: &Curve| {
         let same = |other: &&Curve| other.value.dimension() == curve.value.dimension();
@@ -75,21 +87,22 @@ fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured]) -
         let against_time = model.is_independent(across.value.node);
         for (place, column) in measured.iter().enumerate().filter(|(_, measured)| of(curve, measured)) {
             let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
-            let error = |error: &f64| y_unit.from_si(*error);
+            let turning = column.observed.unit.turning(y_unit);
+            let up = |value: &f64| y_unit.from_si(value * turning);
             let (x, y, errors): (Vec<f64>, Vec<f64>, Vec<f64>) = if against_time {
                 let x = column.times.iter().map(|time| x_unit.from_si(*time)).collect();
-                let y = column.values.iter().map(|value| y_unit.from_si(*value)).collect();
-                (x, y, column.errors.iter().map(error).collect())
+                (x, column.values.iter().map(up).collect(), column.errors.iter().map(up).collect())
             } else {
                 let Some(other) = measured.iter().find(|other| other.record == column.record && of(across, other))
                 else {
                     continue;
                 };
+                let turned = other.observed.unit.turning(x_unit);
                 let at = |(number, (time, value)): (usize, (&f64, &f64))| {
                     let row = other.times.partition_point(|at| at < time);
                     let other = (other.times.get(row) == Some(time)).then(|| other.values.get(row)).flatten()?;
-                    let error = column.errors.get(number).map_or(f64::NAN, error);
-                    Some((x_unit.from_si(*other), y_unit.from_si(*value), error))
+                    let error = column.errors.get(number).map_or(f64::NAN, up);
+                    Some((x_unit.from_si(other * turned), up(value), error))
                 };
                 let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
                 for (across, up, error) in column.times.iter().zip(&column.values).enumerate().filter_map(at) {

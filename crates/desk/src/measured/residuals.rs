@@ -70,6 +70,11 @@ impl MeasuredData {
         let unit = play.model().independent.unit.clone();
         let mut state = vec![0.0; play.model().states.len()];
         for (number, (residuals, measured)) in self.residuals.iter_mut().zip(&self.columns).enumerate() {
+            // Columns of the same dimension share an axis and the unit of the first of them.
+            let own = &measured.observed.unit;
+            let shares = |other: &&Measured| other.observed.unit.dimension == own.dimension;
+            let axis = self.columns.iter().find(shares).map_or(own, |first| &first.observed.unit);
+            let turning = own.turning(axis);
             let rest = measured.times.iter().zip(&measured.values).enumerate().skip(residuals.passed);
             let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
             for (row, (&time, &value)) in rest.take(SLICE).take_while(|(_, (time, _))| **time <= front) {
@@ -82,8 +87,8 @@ impl MeasuredData {
                 let computed = residuals.readings.at(&parameters, play.course().initial(), time, &state);
                 let left = value - computed.first().copied().unwrap_or(f64::NAN);
                 x.push(unit.from_si(time));
-                y.push(measured.observed.unit.from_si(left));
-                errors.extend(measured.errors.get(row).map(|error| measured.observed.unit.from_si(*error)));
+                y.push(axis.from_si(left * turning));
+                errors.extend(measured.errors.get(row).map(|error| axis.from_si(error * turning)));
             }
             let append = |plot: &mut AddedPlot| {
                 if let Some(series) = plot.series.get_mut(number) {

@@ -11,7 +11,7 @@ pub(crate) mod record;
 mod replacing;
 mod runs;
 mod sample;
-mod series;
+pub(crate) mod series;
 mod stored;
 pub(crate) mod understood;
 mod variable;
@@ -78,6 +78,6 @@ impl<'a> ShownRecords<'a> {
     /// Clock reading at which the model begins in a record, SI; 0 without the record.
     pub(crate) fn origin(self, id: u32) -> f64 {
         let model = self.open.play.model();
-        self.records.get(id).map_or(0.0, |record| record.origin(&model.independent.name, model.is_autonomous()))
+        self.records.get(id).map_or(0.0, |record| record.origin(&model.independent, model.is_autonomous()))
     }
 }

@@ -1,20 +1,22 @@
 //! Columns of a record as series in SI units.
 
 use super::record::{Record, Use};
+use program::Independent;
+use units::Unit;
 
 impl Record {
     /// Clock reading at which the model begins, SI.
-    pub fn origin(&self, independent: &str, autonomous: bool) -> f64 {
+    pub fn origin(&self, independent: &Independent, autonomous: bool) -> f64 {
         self.origin.map_or_else(|| self.beginning(independent, autonomous), |origin| origin.reading)
     }
 
     /// Default of [`Record::origin()`] before any fit: the first time of all columns in use, or 0 if the equations depend
     /// on time.
-    fn beginning(&self, independent: &str, autonomous: bool) -> f64 {
+    fn beginning(&self, independent: &Independent, autonomous: bool) -> f64 {
         let columns = (0..self.uses.len()).filter(|&column| {
             self.uses.get(column).is_some_and(|used| {
                 let quantity = &used.meaning.quantity;
-                !quantity.is_empty() && quantity != independent
+                !quantity.is_empty() && *quantity != independent.name
             })
         });
         let first = |column| {
@@ -25,13 +27,14 @@ impl Record {
         if autonomous && first.is_finite() { first } else { 0.0 }
     }
 
-    /// Times and values of a column, SI, without gaps, ascending in time. `None` without usable rows.
-    pub fn series(&self, column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+    /// Times and values of a column, SI, without gaps, ascending in time. Values count turns as the unit of the column does, see
+    /// [`units::Unit::turning`]. `None` without usable rows.
+    pub fn series(&self, column: usize, independent: &Independent) -> Option<(Vec<f64>, Vec<f64>)> {
         self.series_as(&self.uses, column, independent)
     }
 
     /// Series of a column as in [`Record::series`], for other uses of the columns.
-    pub fn series_as(&self, uses: &[Use], column: usize, independent: &str) -> Option<(Vec<f64>, Vec<f64>)> {
+    pub fn series_as(&self, uses: &[Use], column: usize, independent: &Independent) -> Option<(Vec<f64>, Vec<f64>)> {
         let (times, values): (Vec<f64>, Vec<f64>) = self.rows_as(uses, column, independent)?.unzip();
         // Most records are already sorted, and sorting a million rows is slow.
         if times.is_sorted() {
@@ -67,7 +70,8 @@ impl Record {
         let times = &self.table.columns.get(clock)?.values;
         let rows = times.iter().zip(&own.values).zip(&beside.values);
         let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
-        let mut rows: Vec<(f64, f64)> = rows.map(|((time, _), error)| (*time, unit.to_si(*error))).collect();
+        let mut rows: Vec<(f64, f64)> =
+            rows.map(|((time, _), error)| (*time, unit.to_si_of(*error, &used.meaning.unit))).collect();
         rows.sort_by(|one, other| one.0.total_cmp(&other.0));
         let usable = |error: f64| if error > 0.0 && error.is_finite() { error } else { f64::NAN };
         let same = unit.dimension == used.meaning.unit.dimension;
@@ -79,12 +83,12 @@ impl Record {
         &self,
         uses: &[Use],
         column: usize,
-        independent: &str,
+        independent: &Independent,
     ) -> Option<impl Iterator<Item = (f64, f64)> + use<'_>> {
         let own = self.table.columns.get(column)?;
         let value_unit = uses.get(column)?.meaning.unit.clone();
         // A column that the user has set as the time has priority over the one that the file suggests.
-        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
+        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent.name);
         let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
         if self.asks_for_unit(uses, column) || self.asks_for_unit(uses, clock) {
             return None;
@@ -97,6 +101,16 @@ impl Record {
         if others.next().is_some() && times.iter().all(|time| time.is_nan() || *time == first) {
             return None;
         }
-        Some(rows.map(move |(time, value)| (time_unit.to_si(*time), value_unit.to_si(*value))))
+        let own_unit = independent.unit.clone();
+        Some(rows.map(move |(time, value)| (time_unit.to_si_of(*time, &own_unit), value_unit.to_si(*value))))
+    }
+}
+
+/// Converts SI values of a column in the unit `own` for a quantity stated in the unit `quantity`, if one unit counts cycles and
+/// the other angles.
+pub(crate) fn turn(values: &mut [f64], own: &Unit, quantity: &Unit) {
+    let factor = own.turning(quantity);
+    if factor != 1.0 {
+        values.iter_mut().for_each(|value| *value *= factor);
     }
 }

@@ -14,6 +14,7 @@ mod reading;
 mod records;
 mod saved;
 mod support;
+mod turns;
 mod understood;
 mod undo;
 mod variable;

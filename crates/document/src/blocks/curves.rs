@@ -2,7 +2,7 @@
 
 use crate::expressions::{Expressions, dimension_error};
 use model::{Diagnostic, Phrase, Span, inside};
-use program::{Curve, Drawing, Plot};
+use program::{Curve, Drawing, Plot, Taken};
 use units::{Words, words};
 
 /// A curve or an abscissa, and its place.
@@ -49,6 +49,35 @@ pub fn add(
         plot.curves.push(curve);
     }
     Some(())
+}
+
+/// Converts curves that count cycles to angles, or the reverse, if the first curve of their axis counts those: a frequency of
+/// 1 Hz is drawn at 2 pi on an axis in rad/s.
+pub fn turn(expressions: &mut Expressions, plot: &mut Plot) {
+    for index in 0..plot.curves.len() {
+        let (before, after) = plot.curves.split_at_mut(index);
+        let Some(curve) = after.first_mut() else { continue };
+        let Some(first) = before.iter().find(|one| one.value.dimension() == curve.value.dimension()) else { continue };
+        let (own, axis) = (curve.value.unit.clone(), first.value.unit.clone());
+        curve.value = expressions.turned(curve.value.clone(), &axis);
+        let graph = expressions.graph();
+        match &mut plot.drawing {
+            Drawing::Sweep(sweep) => {
+                if let Some(Taken::Run(node)) = sweep.taken.get_mut(index) {
+                    *node = model::turned(graph, *node, &own, &axis);
+                }
+            }
+            Drawing::Profile(profile) => {
+                for node in profile.members.get_mut(index).into_iter().flat_map(|members| &mut members.y) {
+                    *node = model::turned(graph, *node, &own, &axis);
+                }
+            }
+            _ => {}
+        }
+    }
+    for (_, x) in &mut plot.others {
+        x.value = expressions.turned(x.value.clone(), &plot.x.value.unit);
+    }
 }
 
 /// Label of a phrase: `y "Height"`.

@@ -29,6 +29,13 @@ pub fn read(expressions: &mut Expressions, sentences: &[Sentence], until: Option
 }
 
 fn plot(expressions: &mut Expressions, sentence: &Sentence, until: Option<f64>) -> Option<Plot> {
+    let mut plot = in_own_units(expressions, sentence, until)?;
+    curves::turn(expressions, &mut plot);
+    Some(plot)
+}
+
+/// Reads a plot in which each curve keeps its unit.
+fn in_own_units(expressions: &mut Expressions, sentence: &Sentence, until: Option<f64>) -> Option<Plot> {
     let source = expressions.source;
     let malformed = |message: Words, span: Span| {
         curves::malformed(message, span).with_hint(words("a plot is `\"Title\": y, y' against t`"))

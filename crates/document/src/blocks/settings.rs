@@ -114,7 +114,10 @@ fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnos
         return Some((unit.to_si(number), unit.clone()));
     }
     match Unit::parse(stated) {
-        Ok(stated) if stated.dimension == unit.dimension => Some((stated.to_si(number), stated)),
+        Ok(stated) if stated.dimension == unit.dimension => {
+            let shown = if stated.turning(unit) == 1.0 { stated.clone() } else { unit.clone() };
+            Some((stated.to_si_of(number, unit), shown))
+        }
         Ok(stated) => {
             diagnostics.push(wrong_dimension(
                 words!("`{key}` has the wrong dimension"),

@@ -39,7 +39,7 @@ pub fn read(expressions: &mut Expressions, span: Span, value: &Placed, form: &Fo
                 expressions.diagnostics.push(diagnostic);
                 return None;
             }
-            Some(Tolerance::Absolute(unit.to_si(number)))
+            Some(Tolerance::Absolute(unit.to_si_of(number, &value.value.unit)))
         }
         _ => None,
     };

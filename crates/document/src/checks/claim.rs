@@ -77,7 +77,7 @@ fn moment<'t>(expressions: &mut Expressions, claim: Phrase<'t>, is_step: bool) -
         expressions.error("check-syntax", message, time.span);
         return None;
     }
-    Some((at.before, Moment::At(time.value)))
+    Some((at.before, Moment::At(expressions.turned(time.value, &independent))))
 }
 
 /// Reads `E within 1e-6 of E(0)`, split at `within`.
@@ -92,7 +92,8 @@ fn near(expressions: &mut Expressions, within: Split) -> Option<Test> {
     };
     let value = expressions.number(within.before.span().range());
     let expected = expressions.number(of.after.span().range());
-    let (value, expected) = (value?, expected?);
+    let (value, mut expected) = (value?, expected?);
+    expected.value = expressions.turned(expected.value, &value.value.unit);
     let zero = expressions.model().graph.as_constant(expected.value.node) == Some(0.0);
     let bare_zero = zero && expected.value.dimension().is_none();
     if value.value.dimension() != expected.value.dimension() && !bare_zero {

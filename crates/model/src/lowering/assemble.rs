@@ -4,6 +4,7 @@ use super::collect::Variation;
 use super::expression::{Chain, Lowered, Lowering, TooManyNodes};
 use super::friction::{add_friction, frictions};
 use super::solve::{solve, too_many_nodes};
+use super::turns::{TurnUnits, turned};
 use crate::dimensions::{Type, Types};
 use crate::matching::blocks;
 use crate::names::{Declarations, EventEntry, Meaning, TableEntry, Unknown, crossing, list};
@@ -18,12 +19,13 @@ use program::{
 use units::order::sort_by_key;
 use units::{Dimension, Exponent, Unit, words};
 
-/// Builds the model and the places of its parts. `order` is the evaluation order of the definitions.
+/// Builds the model and the places of its parts. `order` is the evaluation order of the definitions, `turn_units` their
+/// units that count turns.
 pub(crate) fn assemble(
     declarations: &Declarations,
     order: &[usize],
     unknowns: &[Unknown],
-    types: &Types,
+    (types, turn_units): (&Types, &TurnUnits),
 ) -> Result<(Model, Places), Vec<Diagnostic>> {
     let mut graph = Graph::default();
     let mut texts = Vec::new();
@@ -52,10 +54,11 @@ pub(crate) fn assemble(
         known: &mut known,
     };
     for &index in order {
-        let value = lower(&mut lowering, declarations.definitions[index].value)?;
+        let definition = &declarations.definitions[index];
+        let value = lower_stated(&mut lowering, definition.value, definition.unit, turn_units)?;
         lowering.known.definitions[index] = Some(value);
     }
-    let (states, state_places) = states(&mut lowering, unknowns, types)?;
+    let (states, state_places) = states(&mut lowering, unknowns, types, turn_units)?;
     let (mut events, mut event_places, mut buttons) = (Vec::new(), Vec::new(), Vec::new());
     for event in &declarations.events {
         buttons.extend(event.button.map(|title| Button {
@@ -99,10 +102,10 @@ pub(crate) fn assemble(
     };
     close_initial_values(&mut model, &places.states)?;
     let mut variation = Variation::default();
-    for ((definition, found), node) in
-        declarations.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten())
+    for (index, ((definition, found), node)) in
+        declarations.definitions.iter().zip(&types.definitions).zip(values.into_iter().flatten()).enumerate()
     {
-        let stated = definition.unit.map(|stated| stated.unit.clone());
+        let stated = turn_units.of_definition(index).cloned();
         let unit = stated.unwrap_or_else(|| Unit::si(found.dimension()));
         let value = Compiled { node, kind: found.kind(), unit };
         let label = definition.label.map(str::to_owned);
@@ -146,6 +149,20 @@ impl Type {
 
 fn lower(lowering: &mut Lowering, expression: &Expression) -> Result<NodeId, Vec<Diagnostic>> {
     lowering.expression(expression).map_err(|TooManyNodes| vec![too_many_nodes(expression.span)])
+}
+
+/// Lowers a value. A bare name or number is converted if its unit and the stated one count turns differently.
+fn lower_stated(
+    lowering: &mut Lowering,
+    value: &Expression,
+    stated: Option<&StatedUnit>,
+    turn_units: &TurnUnits,
+) -> Result<NodeId, Vec<Diagnostic>> {
+    let node = lower(lowering, value)?;
+    match (turn_units.own(value), stated) {
+        (Some(own), Some(stated)) => Ok(turned(lowering.graph, node, &own, &stated.unit)),
+        _ => Ok(node),
+    }
 }
 
 /// The parameters. Adds the texts of choices to `texts`, where they come first.
@@ -222,6 +239,7 @@ fn states(
     lowering: &mut Lowering,
     unknowns: &[Unknown],
     types: &Types,
+    turn_units: &TurnUnits,
 ) -> Result<(Vec<State>, Vec<Span>), Vec<Diagnostic>> {
     let (mut states, mut places) = (Vec::new(), Vec::new());
     let mut in_order: Vec<usize> = (0..unknowns.len()).collect();
@@ -231,13 +249,14 @@ fn states(
         for (order, entry) in (0_u32..).zip(unknown.initial.iter().flatten()) {
             let dimension =
                 types.unknowns[index].known.per(power(types.independent.known, order)).unwrap_or(Dimension::NONE);
-            let unit = entry.unit.map_or_else(|| Unit::si(dimension), |stated| stated.unit.clone());
+            let unit = turn_units.of_unknown(unknown.name, order).cloned();
+            let unit = unit.unwrap_or_else(|| Unit::si(dimension));
             states.push(State {
                 variable: unknown.name.to_owned(),
                 order,
                 label: entry.label.map(str::to_owned),
                 unit,
-                initial: lower(lowering, entry.value)?,
+                initial: lower_stated(lowering, entry.value, entry.unit, turn_units)?,
                 role: if crate::moments::is_hidden(unknown.name) { Role::Remembered } else { Role::Own },
                 derivative: chain.node(lowering.graph, order + 1).unwrap_or(chain.rate),
             });

@@ -9,6 +9,7 @@ mod expression;
 mod friction;
 mod rank;
 mod solve;
+mod turns;
 mod warnings;
 
 pub(crate) use angles::remark_on_degrees;
@@ -16,4 +17,6 @@ pub(crate) use assemble::assemble;
 pub(crate) use expression::{Chain, Lowered, Lowering, TooManyNodes};
 pub(crate) use friction::frictions;
 pub(crate) use solve::too_many_nodes;
+pub use turns::turned;
+pub(crate) use turns::{TurnUnits, own_unit};
 pub(crate) use warnings::warn;

@@ -16,4 +16,5 @@ mod sentences;
 mod spanish;
 mod syntax_errors;
 mod syntax_properties;
+mod turns;
 mod vectors;

@@ -10,46 +10,21 @@ use units::Unit;
 /// Significant digits of a value at rest.
 pub const DIGITS: usize = 6;
 
-/// Convention by which a unit of dimension 1/s counts turns.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Turns {
-    /// Whole turns: hertz.
-    Whole,
-    /// Angle: `rad/s`, `deg/s`.
-    Angle,
-    /// Not specified.
-    Unsaid,
-}
-
-impl Turns {
-    fn of(unit: &Unit) -> Self {
-        let symbols = || unit.text.split(|c: char| !c.is_alphabetic() && c != '°');
-        if unit.dimension != Unit::parse("Hz").map_or(unit.dimension, |hertz| hertz.dimension) {
-            Self::Unsaid
-        } else if symbols().any(|symbol| symbol.ends_with("Hz")) {
-            Self::Whole
-        } else if symbols().any(|symbol| symbol.ends_with("rad") || matches!(symbol, "deg" | "°")) {
-            Self::Angle
-        } else {
-            Self::Unsaid
-        }
-    }
-}
-
 /// Typed text, shortened to 40 characters for a message.
 pub(crate) fn shortened(typed: &str) -> String {
     typed.trim().chars().take(40).collect()
 }
 
 impl Basis {
-    /// Parses a value and returns it in SI: a number in `unit`, or with its own unit of the same dimension. Hertz is
-    /// refused for an angular frequency and radians per second for a frequency, although their dimensions agree.
+    /// Parses a value and returns it in SI: a number in `unit`, or with its own unit of the same dimension, with or without
+    /// brackets. 1 Hz is read as 2 pi rad/s where `unit` counts angles, and the reverse.
     pub fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
         let no_number = || Refusal::NotANumber { typed: shortened(typed) };
         let (value, rest) = number::parse(typed, self.style()).ok_or_else(no_number)?;
         let value = if rest.is_empty() {
             unit.to_si(value)
         } else {
+            let rest = rest.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(rest);
             let unknown =
                 || match rest.starts_with(|c: char| c.is_ascii_punctuation() && c != '%' || "×·÷−±".contains(c)) {
                     true => no_number(),
@@ -59,25 +34,22 @@ impl Basis {
             if own.dimension != unit.dimension {
                 return Err(Refusal::WrongUnit { typed: shortened(rest), expected: number::unit_text(&unit.text) });
             }
-            let si = own.to_si(value);
-            self.refuse_other_frequency(value, &own, si, unit)?;
-            si
+            own.to_si_of(value, unit)
         };
         if value.is_finite() { Ok(value) } else { Err(no_number()) }
     }
 
-    /// Refuses `value` in the unit `own` (`si` in SI) if `unit` counts turns differently.
-    fn refuse_other_frequency(&self, value: f64, own: &Unit, si: f64, unit: &Unit) -> Result<(), Refusal> {
-        let turn = std::f64::consts::TAU;
-        let (angular, meant) = match (Turns::of(own), Turns::of(unit)) {
-            (Turns::Whole, Turns::Angle) => (true, si * turn),
-            (Turns::Angle, Turns::Whole) => (false, si / turn),
-            _ => return Ok(()),
-        };
+    /// Refuses an expression with the value `value` in the unit `own`, if `unit` counts turns differently: whether it is
+    /// converted already, as `6.28*0.27 Hz` is, remains open.
+    fn refuse_other_frequency(&self, value: f64, own: &Unit, unit: &Unit) -> Result<(), Refusal> {
+        if own.turning(unit) == 1.0 {
+            return Ok(());
+        }
+        let meant = unit.from_si(own.to_si_of(value, unit));
         Err(Refusal::OtherFrequency {
             typed: number::with_unit(&number::plain(value, DIGITS, self.style()), own),
-            meant: number::with_unit(&number::plain(unit.from_si(meant), 3, self.style()), unit),
-            angular,
+            meant: number::with_unit(&number::plain(meant, 3, self.style()), unit),
+            angular: own.counts_cycles(),
         })
     }
 
@@ -90,7 +62,6 @@ impl Basis {
         }
         match self.read_value(typed, unit) {
             Ok(value) => Ok(Some(value)),
-            Err(refusal @ Refusal::OtherFrequency { .. }) => Err(refusal),
             Err(refusal) => self.read_expression(at, typed, unit).map(Some).map_err(|why| why.unwrap_or(refusal)),
         }
     }
@@ -127,7 +98,7 @@ impl Basis {
         let names = &calculation.names;
         let si = match &candidate.unit {
             Some(own) if pure && own.dimension == unit.dimension => {
-                self.refuse_other_frequency(value, own, own.to_si(value), unit)?;
+                self.refuse_other_frequency(value, own, unit)?;
                 own.to_si(value)
             }
             Some(own) if pure => {
@@ -141,9 +112,16 @@ impl Basis {
                 // `2*pi*(0.27 Hz)` is an angular frequency, `0.54/2 Hz` is not.
                 let unconverted = stated_units(text).filter(|_| names.is_empty());
                 for own in unconverted {
-                    self.refuse_other_frequency(own.from_si(value), &own, value, unit)?;
+                    self.refuse_other_frequency(own.from_si(value), &own, unit)?;
                 }
-                value
+                // Another quantity is converted, an expression in quantities is not.
+                match names.as_slice() {
+                    [name] if !text.contains(|sign: char| sign == ' ' || "+-*/^([".contains(sign)) => {
+                        let own = model.lookup(name, 0).map(|named| named.unit);
+                        own.map_or(value, |own| value * own.turning(unit))
+                    }
+                    _ => value,
+                }
             }
             None => return Err(None),
         };

@@ -54,7 +54,6 @@ impl Basis {
     fn read_number(&self, at: &Course, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
         let refusal = match self.read_value(typed, unit) {
             Ok(value) => return Ok(value),
-            Err(refusal @ Refusal::OtherFrequency { .. }) => return Err(refusal),
             Err(refusal) => refusal,
         };
         for candidate in candidates(typed, self.style()) {

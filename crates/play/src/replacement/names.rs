@@ -17,6 +17,8 @@ impl Names {
             let same = |other: &program::Parameter| {
                 other.name == parameter.name
                     && other.unit.dimension == parameter.unit.dimension
+                    // 3 Hz are not 3 rad/s.
+                    && other.unit.turning(&parameter.unit) == 1.0
                     && other.kind() == parameter.kind()
             };
             to.parameters.iter().position(same)

@@ -95,9 +95,14 @@ fn arithmetic_units_and_errors_are_understood() {
         (1, "1.673 rad/s", Correct, "Correct."),
         (1, "95.87 deg/s", Correct, "Correct."),
         (1, "1.673 1/s", Correct, "Correct."),
-        (1, "0.2663 Hz", Unreadable, "0.2663 Hz is a frequency; the angular frequency is 1.67 rad/s."),
-        (1, "1.4 Hz", Unreadable, "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s."),
-        (1, "1.673 Hz", Unreadable, "1.673 Hz is a frequency; the angular frequency is 10.5 rad/s."),
+        // Numbers are converted through the turn.
+        (1, "0.2663 Hz", Correct, "Correct."),
+        (1, "0.2663 [Hz]", Correct, "Correct."),
+        (1, "266.3 mHz ± 1 mHz", Correct, "Correct. The true value lies within your error."),
+        (1, "15.98 rpm", Correct, "Correct."),
+        (1, "1.4 Hz", Wrong, ""),
+        (1, "1.673 Hz", Wrong, ""),
+        // Arithmetic may be converted already.
         (1, "2*pi*0.2663 Hz", Correct, "Correct."),
         (1, "2.8/2 Hz", Unreadable, "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s."),
         (1, "0.7 Hz + 0.7 Hz", Unreadable, "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s."),
@@ -106,8 +111,9 @@ fn arithmetic_units_and_errors_are_understood() {
         (1, "sqrt(2.8)", Correct, "Correct."),
         (2, "0.2663", Correct, "Correct."),
         (2, "266.3 mHz", Correct, "Correct."),
-        (2, "1.673 rad/s", Unreadable, "1.673 rad/s is an angular frequency; the frequency is 0.266 Hz."),
-        (2, "95.87 deg/s", Unreadable, "95.87 °/s is an angular frequency; the frequency is 0.266 Hz."),
+        (2, "1.673 rad/s", Correct, "Correct."),
+        (2, "95.87 deg/s", Correct, "Correct."),
+        (2, "15.98 rpm", Correct, "Correct."),
         (3, "30", Correct, "Correct."),
         (3, "60/2", Correct, "Correct."),
         (3, "30 deg", Correct, "Correct."),
@@ -149,8 +155,8 @@ fn answers_in_spanish_have_decimal_commas() {
             "Todavía no. Tu error abarca el valor verdadero, pero lo que cuenta es el valor mismo.",
         ),
         (0, "T_0", Unreadable, "Una respuesta consta de números y unidades; «T_0» es una magnitud de la simulación."),
-        (1, "1,4 Hz", Unreadable, "1,4 Hz es una frecuencia; la frecuencia angular es 8,8 rad/s."),
-        (2, "1,673 rad/s", Unreadable, "1,673 rad/s es una frecuencia angular; la frecuencia es 0,266 Hz."),
+        (1, "2,8/2 Hz", Unreadable, "1,4 Hz es una frecuencia; la frecuencia angular es 8,8 rad/s."),
+        (2, "3,346/2 rad/s", Unreadable, "1,673 rad/s es una frecuencia angular; la frecuencia es 0,266 Hz."),
     ] {
         let (found, text) = judged(&mut play, question, typed);
         assert_eq!(found, grade, "{question} {typed}: {text}");
@@ -159,13 +165,19 @@ fn answers_in_spanish_have_decimal_commas() {
 }
 
 #[test]
-fn fields_take_arithmetic_and_tell_frequencies_apart() {
+fn fields_take_arithmetic_and_convert_between_cycles_and_angles() {
     let mut play = crate::support::open(DOCUMENT, &[]);
     for (name, typed, expected) in [
         ("l", "7/2 m", 3.5),
         ("l", "3 m + 20 cm", 3.2),
         ("l", "2*l", 6.4),
         ("w", "2*pi*(2 Hz)", 4.0 * std::f64::consts::PI),
+        ("w", "2 Hz", 4.0 * std::f64::consts::PI),
+        ("w", "0.002 [kHz]", 4.0 * std::f64::consts::PI),
+        ("w", "60 rpm", std::f64::consts::TAU),
+        ("w", "3 rad/s", 3.0),
+        ("w", "3 1/s", 3.0),
+        ("w", "2*w", 6.0),
     ] {
         let index = crate::support::parameter(&play, name);
         assert_eq!(play.change_settings(|settings| settings.set_parameter_text(index, typed)), Ok(()), "{typed}");
@@ -173,7 +185,7 @@ fn fields_take_arithmetic_and_tell_frequencies_apart() {
         assert!((value - expected).abs() < 1e-12, "{typed}: {value}");
     }
     let index = crate::support::parameter(&play, "w");
-    let refusal = play.change_settings(|settings| settings.set_parameter_text(index, "1.4 Hz")).unwrap_err();
+    let refusal = play.change_settings(|settings| settings.set_parameter_text(index, "2.8/2 Hz")).unwrap_err();
     assert_eq!(play.basis().refusal_text(&refusal), "1.4 Hz is a frequency; the angular frequency is 8.8 rad/s.");
 }
 

@@ -50,7 +50,7 @@ fn reading(name: &'static str, text: &str, unit: Option<&Unit>) -> Result<f64, R
         return Err(Refusal::in_words(words!("{name} {text}: `{rest}` is not a known unit"), hint()));
     };
     if own.dimension == unit.map_or(Dimension::TIME, |unit| unit.dimension) {
-        return Ok(own.to_si(value));
+        return Ok(unit.map_or_else(|| own.to_si(value), |unit| own.to_si_of(value, unit)));
     }
     Err(match unit.filter(|unit| unit.dimension != Dimension::TIME) {
         None => Refusal::in_words(words!("{name} {text}: {rest} is not a unit of time"), hint()),

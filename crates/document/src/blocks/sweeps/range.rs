@@ -24,15 +24,15 @@ pub(super) fn limits(expressions: &mut Expressions, phrase: Phrase, unit: &Unit)
     let before = step.map_or(phrase, |step| step.before);
     let (ends, dots) = (before.span(), before.operand.dots?);
     let text = &source[ends.range()];
-    let unit = match text.find('[') {
-        Some(bracket) => stated(expressions, ends.start + bracket..ends.end, unit)?,
-        None => unit.clone(),
+    let units = match text.find('[') {
+        Some(bracket) => (&stated(expressions, ends.start + bracket..ends.end, unit)?, unit),
+        None => (unit, unit),
     };
     let upper = dots.end..text.find('[').map_or(ends.end, |bracket| ends.start + bracket);
-    let low = number(expressions, trim(source, ends.start..dots.start), &unit)?;
-    let high = number(expressions, trim(source, upper), &unit)?;
+    let low = number(expressions, trim(source, ends.start..dots.start), units)?;
+    let high = number(expressions, trim(source, upper), units)?;
     let step = match step {
-        Some(step) => Some(number(expressions, step.after.span().range(), &unit)?),
+        Some(step) => Some(number(expressions, step.after.span().range(), units)?),
         None => None,
     };
     if low >= high || step.is_some_and(|step| step <= 0.0) {
@@ -58,7 +58,7 @@ pub(super) fn moment(expressions: &mut Expressions, place: Span) -> Option<f64> 
         return None;
     };
     match bracket {
-        Some(_) => number(expressions, place.range(), &unit),
+        Some(_) => number(expressions, place.range(), (&unit, &unit)),
         None => Some(value),
     }
 }
@@ -69,14 +69,16 @@ fn positive(text: &str, unit: &Unit) -> Option<f64> {
     (value.is_finite() && value >= 0.0).then_some(value)
 }
 
-/// Parses a number, bare (then in `unit`) or with a unit of the same dimension. Returns the SI value.
-fn number(expressions: &mut Expressions, range: Range<usize>, unit: &Unit) -> Option<f64> {
+/// Parses a number for a quantity stated in `own`: bare (then in `unit`) or with a unit of the same dimension. Returns the SI
+/// value.
+fn number(expressions: &mut Expressions, range: Range<usize>, (unit, own): (&Unit, &Unit)) -> Option<f64> {
     let text = &expressions.source[range.clone()];
     let (digits, unit) = match text.find('[') {
-        Some(bracket) => (&text[..bracket], stated(expressions, range.start + bracket..range.end, unit)?),
-        None => (text, unit.clone()),
+        Some(bracket) => (&text[..bracket], &stated(expressions, range.start + bracket..range.end, unit)?),
+        None => (text, unit),
     };
-    let value = digits.trim().parse::<f64>().ok().map(|value| unit.to_si(value)).filter(|value| value.is_finite());
+    let value = digits.trim().parse::<f64>().ok().map(|value| unit.to_si_of(value, own));
+    let value = value.filter(|value| value.is_finite());
     if value.is_none() {
         malformed(expressions, &range);
     }

@@ -159,6 +159,6 @@ impl Cursor<'_> {
             let hint = words("the unit of a column stands behind its first number");
             return self.fail(Diagnostic::error("dimension-mismatch", wrong, span).with_hint(hint));
         }
-        Ok(if unit == expected { value } else { expected.from_si(unit.to_si(value)) })
+        Ok(if unit == expected { value } else { expected.from_si(unit.to_si_of(value, &expected)) })
     }
 }

@@ -62,7 +62,7 @@ const isLiquid = ([red, , blue]) => blue > red + 40;
 
 for (const [name, fragment, levels] of [
   ["the document that the page opens", "", [[125, 300, true], [247, 420, true], [247, 300, false], [186, 531, true]]],
-  ["the trolley", "#1&d=utube-push.md", [[132, 450, true], [268, 450, true], [132, 300, false]]],
+  ["the trolley", "#1&d=utube-push.md", [[111, 450, true], [289, 450, true], [111, 300, false]]],
   ["a theory", "#1&d=theories/linear.md", [[125, 380, true], [247, 380, true], [125, 100, false], [186, 461, true]]],
 ]) {
   visit(`liquid fills the tube from wall to wall: ${name}`, fragment, async () => {

@@ -42,11 +42,16 @@ impl Builder<'_, '_> {
         let joins = is_plain && !has(clip, "clip-rule");
         let outlines = if joins { shapes.iter().map(|shape| self.clip_outline(shape)).collect() } else { None };
         let Some(data) = outlines.and_then(joined) else {
-            let message = words("Safari cuts this clip off at the edge of what it clips, and does not print it");
-            let hint = words(
-                "clip by one shape: a `<path>` whose `d` has all outlines one after the other, in the same direction, without \
-                 `transform` and `class`",
-            );
+            let message = words("Safari cuts off strokes in this clip, and prints as if there were no clip");
+            let nests = has(clip, "clip-path") || shapes.iter().any(|shape| has(shape, "clip-path"));
+            let hint = if nests {
+                words("clip a group by one of both, and a group around it by the other")
+            } else {
+                words(
+                    "clip by one `<path>` whose `d` has all outlines one after the other, in the same direction, without `transform` \
+                     and `class`",
+                )
+            };
             let place = Span::new(place.start, place.end);
             self.expressions.diagnostics.push(Diagnostic::warning("clip-shapes", message, place).with_hint(hint));
             return;

@@ -95,6 +95,7 @@ const load = async () => {
   await parsed;
   const glue = document.querySelector("script#laboratory-glue");
   const part = document.querySelector("script#laboratory");
+  if (!glue) broken(new Error("the page is cut off"));
   const begun = async () => {
     if (glue.dataset.script) return run(glue.dataset.script).catch(broken);
     document.head.append(Object.assign(document.createElement("script"), { textContent: await written() }));

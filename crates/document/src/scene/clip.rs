@@ -56,6 +56,9 @@ impl Builder<'_, '_> {
             self.expressions.diagnostics.push(Diagnostic::warning("clip-shapes", message, place).with_hint(hint));
             return;
         };
+        if !self.fits(data.len(), place) {
+            return;
+        }
         let attribute = |name: &str, value| Attribute { name: name.to_owned(), value };
         let rule = attribute("clip-rule", vec![Piece::Literal("nonzero".to_owned())]);
         let attributes = vec![attribute("d", data), rule];

@@ -3,6 +3,7 @@
 use crate::steps::{cargo, run, step};
 use crate::{golden, page, python, steps, tools};
 use anyhow::Result;
+use std::process::Command;
 
 /// Runs all checks. Stops at the first failure.
 pub fn all() -> Result<()> {
@@ -18,6 +19,7 @@ pub fn all() -> Result<()> {
     step("unit and integration tests", tests)?;
     step("the class server before Postgres", postgres)?;
     step("golden runs in WebAssembly", golden::compare)?;
+    step("the main path in WebKit", webkit)?;
     step("the page in Chromium and Firefox", browsers)
 }
 
@@ -60,19 +62,35 @@ fn lints() -> Result<()> {
     run(cargo(&browser).args(["--target", tools::TARGET]).args(STRICT))
 }
 
+/// The main path through the page in WebKitGTK, which exists on Linux alone.
+fn webkit() -> Result<()> {
+    if cfg!(not(target_os = "linux")) {
+        println!("left out: WebKitGTK runs on Linux alone");
+        return Ok(());
+    }
+    let mut tests = page_tests()?;
+    run(tests.arg("main-path.mjs").env(tools::WEBKIT.variable, tools::WEBKIT.path()?))
+}
+
 fn browsers() -> Result<()> {
-    let node = tools::node()?;
-    let directory = steps::root().join("tests").join("page");
-    tools::packages(&directory)?;
-    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
-    let mut tests = std::process::Command::new(node);
+    let mut tests = page_tests()?;
     // Two files at a time, each with a browser and a profile of its own; more than two need more memory than a small machine has.
-    tests.args(["--test", "--test-concurrency=2", "--test-reporter=spec"]).current_dir(directory);
+    tests.arg("--test-concurrency=2");
     for browser in [tools::CHROMIUM, tools::FIREFOX] {
         tests.env(browser.variable, browser.path()?);
     }
-    tests.env("MENISCUS", program).env("PAGE", steps::page());
     // Visits are over before the optimizing compiler of WebAssembly pays: it took a tenth of the time of all tests.
     tests.env("CHROME_SWITCHES", "--js-flags=--liftoff-only");
     run(&mut tests)
+}
+
+/// Command that runs tests of the page.
+fn page_tests() -> Result<Command> {
+    let directory = steps::root().join("tests").join("page");
+    tools::packages(&directory)?;
+    let program = steps::target().join("debug").join(format!("meniscus{}", std::env::consts::EXE_SUFFIX));
+    let mut tests = Command::new(tools::node()?);
+    tests.args(["--test", "--test-reporter=spec"]).current_dir(directory);
+    tests.env("MENISCUS", program).env("PAGE", steps::page());
+    Ok(tests)
 }

@@ -10,12 +10,15 @@ use std::process::Command;
 const NOTICE: &str =
     "/*! CodeMirror. Copyright (C) 2018-2021 by Marijn Haverbeke and others. MIT License: https://codemirror.net */";
 
+/// Newest syntax of scripts and styles: that of the oldest browsers for which the page is made. Properties get the prefixes that they need there.
+const TARGET: &str = "--target=es2022,safari16.4";
+
 /// Bundles the editor to one script and returns its text.
 pub fn bundle() -> Result<String> {
     let script = steps::target().join("page").join("parts").join("editor.js");
     let mut bundler = esbuild()?;
     bundler
-        .args(["editor.js", "--bundle", "--format=iife", "--target=es2022", "--legal-comments=none"])
+        .args(["editor.js", "--bundle", "--format=iife", "--legal-comments=none"])
         .arg(format!("--banner:js={NOTICE}"))
         .arg(format!("--outfile={}", script.display()));
     steps::run(&mut bundler)?;
@@ -34,7 +37,7 @@ fn esbuild() -> Result<Command> {
     let mut command = Command::new(tools::node()?);
     command
         .arg(directory.join("node_modules").join("esbuild").join("bin").join("esbuild"))
-        .args(["--minify", "--charset=utf8", "--log-level=warning"])
+        .args(["--minify", "--charset=utf8", "--log-level=warning", TARGET])
         .current_dir(&directory);
     Ok(command)
 }

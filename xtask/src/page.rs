@@ -175,7 +175,9 @@ fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
     let opening = crates.join("lab").join("page").join("opening.js");
     let opening = if kind.is_laboratory { editor::minified(&opening)? } else { String::new() };
     let boot = opening + &editor::minified(&source.join("boot.js"))?;
-    let mut html = read(&source.join("index.html"))?;
+    let html = read(&source.join("index.html"))?;
+    // Comments of its script stay here.
+    let mut html: String = html.split_inclusive('\n').filter(|line| !line.starts_with("// ")).collect();
     let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">", page::POLICY);
     let later = if kind.is_laboratory { LATER } else { "" };
     for (marker, text) in [

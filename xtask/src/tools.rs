@@ -62,6 +62,8 @@ pub struct Browser {
     pub variable: &'static str,
     programs: &'static [&'static str],
     places: &'static [&'static str],
+    /// Further programs, in `PATH`.
+    needs: &'static [&'static str],
     /// Packages that apt installs.
     packages: &'static [&'static str],
 }
@@ -84,6 +86,7 @@ pub const CHROMIUM: Browser = Browser {
         r"C:\Program Files\Google\Chrome\Application\chrome.exe",
         r"C:\Program Files (x86)\Google\Chrome\Application\chrome.exe",
     ],
+    needs: &[],
     packages: &["chromium-headless-shell", "fonts-dejavu-core"],
 };
 
@@ -96,7 +99,28 @@ pub const FIREFOX: Browser = Browser {
         r"C:\Program Files\Mozilla Firefox\firefox.exe",
         r"C:\Program Files (x86)\Mozilla Firefox\firefox.exe",
     ],
+    needs: &[],
     packages: &["firefox-esr", "fonts-dejavu-core"],
+};
+
+/// WebKitGTK, by its WebDriver, with the virtual screen and the message bus that it runs in.
+pub const WEBKIT: Browser = Browser {
+    name: "WebKitGTK's WebDriver, Xvfb and dbus-run-session",
+    variable: "WEBKIT",
+    programs: &["WebKitWebDriver"],
+    places: &[],
+    needs: &["Xvfb", "dbus-run-session"],
+    // The decoders are those of its films.
+    packages: &[
+        "webkit2gtk-driver",
+        "xvfb",
+        "dbus",
+        "gstreamer1.0-plugins-base",
+        "gstreamer1.0-plugins-good",
+        "gstreamer1.0-plugins-bad",
+        "gstreamer1.0-libav",
+        "fonts-dejavu-core",
+    ],
 };
 
 impl Browser {
@@ -124,6 +148,9 @@ impl Browser {
     }
 
     fn installed(&self) -> Option<PathBuf> {
+        if self.needs.iter().any(|name| find(name).is_none()) {
+            return None;
+        }
         let in_path = self.programs.iter().find_map(|name| find(name));
         in_path.or_else(|| self.places.iter().map(PathBuf::from).find(|path| path.is_file()))
     }

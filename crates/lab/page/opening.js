@@ -95,15 +95,16 @@ const load = async () => {
   await parsed;
   const glue = document.querySelector("script#laboratory-glue");
   const part = document.querySelector("script#laboratory");
+  if (!glue) broken(new Error("the page is cut off"));
   const begun = async () => {
-    if (glue.dataset.script) return run(glue.dataset.script);
+    if (glue.dataset.script) return run(glue.dataset.script).catch(broken);
     document.head.append(Object.assign(document.createElement("script"), { textContent: await written() }));
   };
   const library = document.querySelector("script#library");
   const [module] = await Promise.all([
     inflated(part).then((bytes) => WebAssembly.compile(bytes)),
     begun(),
-    library?.dataset.script && run(library.dataset.script),
+    library?.dataset.script && run(library.dataset.script).catch(broken),
   ]);
   return module;
 };
@@ -139,7 +140,7 @@ on(["hashchange", "popstate"], takeOver);
 const isAtRest = () =>
   !isPressed &&
   !document.activeElement?.closest("#panel, #messages, dialog") &&
-  !document.querySelector("dialog[open], .message.passing, .stage [aria-expanded=true], :popover-open");
+  !document.querySelector("dialog[open], .message.passing, .stage [aria-expanded=true], .tip:not(:empty)");
 // Loads the laboratory when the page is idle, and starts it as soon as nobody is disturbed.
 const follow = () => {
   // A page that is never idle, as where each frame takes all of its time, waits two seconds at most.

@@ -1,10 +1,11 @@
+// The syntax of this script is that of ES2018, so that browsers that are too old for the others can say so.
 // Words in the place of the laboratory, or above it.
 const tell = (...languages) => {
   const words = document.createElement("p");
   words.className = "waiting";
   words.role = "alert";
   words.textContent = languages.join(" · ");
-  document.querySelector(".waiting")?.remove();
+  document.querySelectorAll(".waiting").forEach((before) => before.remove());
   document.body.prepend(words);
 };
 // A fault in the module ends in a trap, without words of its own; nothing works after it.
@@ -30,18 +31,24 @@ const packed = async (part) => {
     });
   }
   const text = part.textContent;
-  return Uint8Array.fromBase64?.(text) ?? Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  return Uint8Array.fromBase64 ? Uint8Array.fromBase64(text) : Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+};
+// False if a part of the page is missing or damaged: then the file or the network is at fault, and not the browser.
+let isWhole = true;
+const broken = (error) => {
+  isWhole = false;
+  throw error;
 };
 // Inflates a part.
 const inflated = async (part, format = "gzip") => {
-  const bytes = await packed(part);
   // Written to directly: the stream of a blob makes the way through the browser's other processes.
   const inflater = new DecompressionStream(format);
+  const bytes = await packed(part).catch(broken);
   const writer = inflater.writable.getWriter();
   // Of damage one hears where it is read.
   writer.write(bytes).catch(() => {});
   writer.close().catch(() => {});
-  return new Response(inflater.readable).arrayBuffer();
+  return new Response(inflater.readable).arrayBuffer().catch(broken);
 };
 // Texts of the languages, packed in elements behind this script and further on: inflated once, and kept for the module.
 let textsArrived;
@@ -51,20 +58,20 @@ globalThis.texts = {
   async load(id) {
     await textsBehind;
     const part = document.getElementById(id);
-    if (part) texts.ready[id] ??= new Uint8Array(await inflated(part));
+    if (part && !texts.ready[id]) texts.ready[id] = new Uint8Array(await inflated(part));
     return texts.ready[id];
   },
 };
 // Says why a part cannot be started.
 const failed = (error) => {
   if (globalThis.WebAssembly && error instanceof WebAssembly.RuntimeError) throw error;
-  // The browser knows no DecompressionStream or WebAssembly, or an earlier one.
-  if (error instanceof ReferenceError || error instanceof WebAssembly.CompileError) {
+  if (isWhole) {
     console.error(error);
     tell(
-      "This browser is too old for Meniscus.",
-      "Este navegador es demasiado antiguo para Meniscus.",
-      "Este navegador é antigo demais para o Meniscus.",
+      "This browser is too old for Meniscus. Update it, or use another one.",
+      "Este navegador es demasiado antiguo para Meniscus. Actualízalo o usa otro.",
+      "Este navegador é antigo demais para o Meniscus. Atualize-o ou use outro.",
+      "Chrome 111, Edge 111, Firefox 121, Safari 16.4",
     );
   } else if (document.querySelector("#module[href], [data-file]")) {
     tell(
@@ -82,7 +89,8 @@ const failed = (error) => {
 };
 // Starts the player with the simulation of the page.
 const start = async () => {
-  const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter(Boolean);
+  // A page without a simulation has no bundle.
+  const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter((part, place) => part || !place);
   const [module, bundle] = await Promise.all(parts.map((part) => inflated(part)));
   await firstFrame;
   globalThis.bundle = bundle && new Uint8Array(bundle);

@@ -9,7 +9,7 @@ use super::translate::SceneText;
 use super::value_list::ValueList;
 use crate::expressions::{Expressions, Placed};
 use model::{Diagnostic, Span};
-use program::{Element, Graph, Scene, Trail};
+use program::{Element, Graph, NodeId, Scene, Trail};
 use std::ops::Range;
 use units::{Language, Words, words};
 
@@ -130,6 +130,11 @@ impl Builder<'_, '_> {
             self.expressions.error("too-large", ValueList::too_many(), span);
         }
         index
+    }
+
+    /// Node of a value of the scene, by its index.
+    pub fn value_node(&self, index: usize) -> Option<NodeId> {
+        self.values.node(index)
     }
 
     /// Records the length of one unit of the drawing, unless an earlier frame has one.

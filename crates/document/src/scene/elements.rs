@@ -68,6 +68,7 @@ impl Builder<'_, '_> {
     /// coordinate system; the caller restores the outer one.
     fn placed(&mut self, name: String, raw: RawElement) -> Option<Element> {
         let is_frame = name == "frame";
+        let place = raw.name.clone();
         let mut element = Element {
             name: if is_frame { "g".to_owned() } else { name.clone() },
             attributes: Vec::new(),
@@ -119,6 +120,9 @@ impl Builder<'_, '_> {
             element.drag = self.drag(dragging, anchor);
         }
         self.children(&mut element, raw.children);
+        if name == "clipPath" {
+            self.join_clip(&mut element, place);
+        }
         Some(element)
     }
 

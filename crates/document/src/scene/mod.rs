@@ -7,6 +7,7 @@ mod attributes;
 mod build;
 mod builder;
 mod choice;
+mod clip;
 mod colours;
 mod drag;
 mod elements;

@@ -31,6 +31,11 @@ impl ValueList {
         Some(self.list.len() - 1)
     }
 
+    /// Node of a value, by its index.
+    pub fn node(&self, index: usize) -> Option<NodeId> {
+        self.list.get(index).map(|value| value.node)
+    }
+
     /// Message about too many values.
     pub fn too_many() -> Words {
         words!("a scene cannot have more than {VALUES} values")

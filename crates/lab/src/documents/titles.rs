@@ -161,7 +161,9 @@ pub fn title(code: &str, language: Language) -> &'static str {
         | "unknown-method" | "bad-tolerance" => language.say("Settings at the top"),
         "fence" | "unknown-fence" => language.say("Blocks of the document"),
         "translation" | "untranslated" => language.say("Translation"),
-        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" => language.say("Scene"),
+        "scene-syntax" | "scene-style" | "scene-refused" | "scene-definition" | "scene-point" | "clip-shapes" => {
+            language.say("Scene")
+        }
         "plot-syntax" | "constant-abscissa" | "sweep" => language.say("Plots"),
         "preset-syntax" => language.say("Presets"),
         "check-syntax" | "check-constant" | "true-by-definition" => language.say("Checks"),

@@ -110,6 +110,8 @@ impl PlotNodes {
         let Some(readout) = readout.filter(|readout| !readout.samples.is_empty()) else {
             if std::mem::take(&mut self.tip_shown) {
                 let _ = self.tip.hide_popover();
+                // Without popovers, as in Safari 16, an empty tooltip is hidden.
+                self.tip.set_text_content(None);
             }
             return;
         };

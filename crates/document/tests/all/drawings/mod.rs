@@ -1,5 +1,6 @@
 //! Scenes: permitted content, and graphical edits.
 
+mod clips;
 mod drawing;
 mod frames;
 mod parts;

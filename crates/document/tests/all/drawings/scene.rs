@@ -2,7 +2,7 @@
 use document::Opened;
 use program::{Child, Dragged, Element, Piece, Template};
 
-fn open(scene: &str) -> Opened {
+pub fn open(scene: &str) -> Opened {
     let source = format!(
         "```model\nparameter h = 2 [m]\ny'' = -9.8 [m/s^2]\ny(0) = h \"Height\"\ny'(0) = 0\nname = \"ball\"\n```\n\n```scene\n{scene}\n```\n"
     );
@@ -25,7 +25,7 @@ fn print_template(template: &Template) -> String {
         .collect()
 }
 
-fn print(element: &Element) -> String {
+pub fn print(element: &Element) -> String {
     let mut text = format!("<{}", element.name);
     for attribute in &element.attributes {
         text += &format!(" {}={}", attribute.name, print_template(&attribute.value));

@@ -239,6 +239,9 @@ fn warnings(report: &Report<'_>) -> Vec<String> {
     sentences.extend(outcome.undetermined.iter().map(|one| one.text(language)));
     let quantity = |one: &Estimate, si: f64| written::quantity(si, &one.unit, language.style());
     sentences.extend(outcome.rival_text(language, quantity));
+    let (_, unit) = report.independent();
+    let period = |si: f64| written::quantity(si, unit, language.style());
+    sentences.extend(outcome.unexplained_text(language, period));
     sentences
 }
 
@@ -271,7 +274,10 @@ fn findings(report: &Report<'_>) -> Vec<String> {
         if let Some(origin) = outcome.origins.get(record) {
             let (clock, unit) = report.independent();
             let at = [clock, " = ", &written::quantity(*origin, unit, language.style())].concat();
-            let mut text = say!(language, "The initial values refer to {at}.");
+            let mut text = match report.document.program.model.states.is_empty() {
+                true => say!(language, "The clock of the formula was moved: its 0 is at {at}."),
+                false => say!(language, "The initial values refer to {at}."),
+            };
             let early: usize = fits().map(|fit| fit.early).sum();
             if early > 0 {
                 text += &say!(language, " Nothing is predicted of the {early} values before.");

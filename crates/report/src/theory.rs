@@ -200,7 +200,10 @@ fn method(report: &Report<'_>) -> String {
         let independent = &report.document.program.model.independent;
         let reading = |origin: &f64| fixed(independent.unit.from_si(*origin), 4, language.style());
         let values: Vec<String> = origins.iter().map(reading).collect();
-        text += language.say("; initial values refer to ");
+        text += match report.document.program.model.states.is_empty() {
+            true => language.say("; the 0 of the formula is at "),
+            false => language.say("; initial values refer to "),
+        };
         text.extend([&independent.name, " = ", &values.join("; "), " ", &unit_text(&independent.unit.text)]);
         text += language.say(" of the record's clock");
         let early: usize = report.outcome.observations.iter().map(|fit| fit.early).sum();

@@ -8,14 +8,14 @@ use crate::fit::linear::dot;
 
 /// Values over time, without gaps, in the order of time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Points<'a> {
+pub(crate) struct Points<'a> {
     pub times: &'a [f64],
     pub values: &'a [f64],
 }
 
 /// Damped sinusoid with the quality of its fit. Times count from `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Damped {
+pub(crate) struct Damped {
     pub origin: f64,
     /// Angular frequency, rad per unit of time.
     pub w: f64,
@@ -30,7 +30,7 @@ pub(super) struct Damped {
 /// Curve without amplitude, `exp(-g t) cos(w t)` and `exp(-g t) sin(w t)`, at every time.
 ///
 /// Over equal steps it is continued by a complex factor; the functions are evaluated only if the step changes.
-pub(super) fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(f64, f64)>) {
+pub(crate) fn basis(points: Points, origin: f64, w: f64, g: f64, out: &mut Vec<(f64, f64)>) {
     out.clear();
     let turned = |step: f64| {
         let size = libm::exp(-g * step);
@@ -152,9 +152,7 @@ impl Damped {
     /// Residuals with an orthonormal basis of the curve's derivatives; `basis` is that of the curve. If the level `drifts`,
     /// a parabola is also subtracted from the residuals.
     pub fn residuals(&self, points: Points, basis: &[(f64, f64)], drifts: bool) -> Block {
-        let [a, b, offset] = self.linear;
-        let mut residuals: Vec<f64> =
-            points.values.iter().zip(basis).map(|(value, (c, s))| value - a * c - b * s - offset).collect();
+        let mut residuals = self.differences(points, basis);
         let mut columns = self.derivatives(points, basis);
         if drifts {
             columns.extend([1, 2].map(|power| -> Vec<f64> {
@@ -168,22 +166,45 @@ impl Damped {
         Block::new(basis, residuals)
     }
 
+    /// Values minus the curve; `basis` is that of the curve.
+    fn differences(&self, points: Points, basis: &[(f64, f64)]) -> Vec<f64> {
+        let [a, b, offset] = self.linear;
+        points.values.iter().zip(basis).map(|(value, (c, s))| value - a * c - b * s - offset).collect()
+    }
+
+    /// Fit together with the second and third harmonic, which decay like the oscillation, by Gauss-Newton steps from this fit: the
+    /// fit, its derivatives orthogonal to the harmonics, and its residuals. `None` if the data do not determine it.
+    pub fn with_harmonics(
+        mut self,
+        points: Points,
+        scratch: &mut Vec<(f64, f64)>,
+    ) -> Option<(Self, Vec<Vec<f64>>, Block)> {
+        let mut last = f64::INFINITY;
+        loop {
+            basis(points, self.origin, self.w, self.g, scratch);
+            let harmonics = orthonormal(harmonics(scratch));
+            let mut columns = self.derivatives(points, scratch);
+            columns.iter_mut().for_each(|column| subtract_projection(&harmonics, column));
+            let mut residuals = self.differences(points, scratch);
+            subtract_projection(&harmonics, &mut residuals);
+            let squares = dot(&residuals, &residuals);
+            if squares >= last * (1.0 - 1e-9) {
+                let basis = orthonormal(harmonics.into_iter().chain(columns.iter().cloned()).collect());
+                return (squares <= last * 1.01).then(|| (self, columns, Block::new(basis, residuals)));
+            }
+            last = squares;
+            let [a, b, offset, w, g] =
+                solve(normal(&columns), core::array::from_fn(|row| dot(&columns[row], &residuals)))?;
+            self.linear = [self.linear[0] + a, self.linear[1] + b, self.linear[2] + offset];
+            (self.w, self.g) = (self.w + w, self.g + g);
+        }
+    }
+
     /// Covariance of cosine, sine, offset, frequency and damping for noise of this variance with the correlation `rho` of
     /// neighbouring rows. `basis` is that of the curve. `None` if the data do not determine all of them.
     pub fn covariance(&self, points: Points, basis: &[(f64, f64)], variance: f64, rho: f64) -> Option<[[f64; 5]; 5]> {
         let (matrix, _) = self.equations(points, basis)?;
-        let columns = self.derivatives(points, basis);
-        let sums = all_correlated(&columns, rho);
-        // The inverse of the normal matrix is applied on both sides of the products of correlated columns.
-        let mut half = [[0.0; 5]; 5];
-        for (half, sums) in half.iter_mut().zip(&sums) {
-            *half = solve(matrix, core::array::from_fn(|row| dot(&columns[row], sums)))?;
-        }
-        let mut covariance = [[0.0; 5]; 5];
-        for (row, covariance) in covariance.iter_mut().enumerate() {
-            *covariance = solve(matrix, core::array::from_fn(|column| variance * half[column][row]))?;
-        }
-        Some(covariance)
+        covariance(matrix, &self.derivatives(points, basis), variance, rho)
     }
 
     /// Amplitude at the origin, in the unit of the values.
@@ -192,9 +213,48 @@ impl Damped {
     }
 }
 
+/// Second and third harmonic of an oscillation with this basis, which decay like it: cosine and sine of each.
+pub(crate) fn harmonics(basis: &[(f64, f64)]) -> Vec<Vec<f64>> {
+    let mut columns = vec![Vec::with_capacity(basis.len()); 4];
+    for &(c, s) in basis {
+        let size = libm::hypot(c, s).max(f64::MIN_POSITIVE);
+        let (cosine, sine) = (c / size, s / size);
+        let (c2, s2) = (c * cosine - s * sine, s * cosine + c * sine);
+        let all = [c2, s2, c2 * cosine - s2 * sine, s2 * cosine + c2 * sine];
+        columns.iter_mut().zip(all).for_each(|(column, value)| column.push(value));
+    }
+    columns
+}
+
+/// Normal matrix of five columns; only the lower triangle is filled.
+pub(crate) fn normal(columns: &[Vec<f64>]) -> [[f64; 5]; 5] {
+    core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { dot(&columns[i], &columns[j]) } else { 0.0 }))
+}
+
+/// Covariance of the five numbers whose derivatives are `columns`, with their normal matrix, for noise of this variance with the
+/// correlation `rho` of neighbouring rows. `None` if the data do not determine all of them.
+pub(crate) fn covariance(
+    matrix: [[f64; 5]; 5],
+    columns: &[Vec<f64>],
+    variance: f64,
+    rho: f64,
+) -> Option<[[f64; 5]; 5]> {
+    let sums = all_correlated(columns, rho);
+    // The inverse of the normal matrix is applied on both sides of the products of correlated columns.
+    let mut half = [[0.0; 5]; 5];
+    for (half, sums) in half.iter_mut().zip(&sums) {
+        *half = solve(matrix, core::array::from_fn(|row| dot(&columns[row], sums)))?;
+    }
+    let mut covariance = [[0.0; 5]; 5];
+    for (row, covariance) in covariance.iter_mut().enumerate() {
+        *covariance = solve(matrix, core::array::from_fn(|column| variance * half[column][row]))?;
+    }
+    Some(covariance)
+}
+
 /// Solves symmetric positive definite equations, given by the lower triangle, by Cholesky decomposition of the matrix
 /// scaled to a unit diagonal. `None` if the matrix is singular.
-pub(super) fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
+pub(crate) fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     let mut scale = [0.0; N];
     for i in 0..N {
         scale[i] = 1.0 / matrix[i][i].sqrt();

@@ -2,7 +2,9 @@
 
 use super::constancy::mean;
 use super::cycle::{Cycle, Measured};
-use super::damped::solve;
+use super::damped::{Damped, Points, basis, solve};
+use super::estimate::estimate;
+use core::f64::consts::TAU;
 
 /// Slow change of the level.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +25,85 @@ const REACH: usize = 6;
 const SMOOTH: f64 = 3.0;
 /// A level constant to this part of the amplitude does not drift.
 const CONSTANT: f64 = 1e-6;
+
+/// Greatest part of the sum of squared residuals of a damped sinusoid that one about a parabola leaves, for a drift.
+const PARABOLIC: f64 = 0.75;
+/// Least number of periods of an oscillation that a parabola does not describe.
+const FEWEST_PERIODS: f64 = 2.0;
+/// Greatest number of rows to which the parabola is fitted; more are thinned.
+const ROWS: usize = 2000;
+/// Rounds in which frequency and damping are improved about the parabola.
+const ROUNDS: usize = 5;
+
+/// Level at the times of the rows, from a parabola that is fitted together with a damped sinusoid; `None` if a constant level
+/// describes the record about as well. A drift of second order would otherwise turn the last cycles, which are small, into
+/// others.
+pub(super) fn parabola(times: &[f64], values: &[f64]) -> Option<Vec<f64>> {
+    let (first, last) = (*times.first()?, *times.last()?);
+    let scaled = |time: &f64| (time - first) / (last - first) - 0.5;
+    let stride = times.len().div_ceil(ROWS);
+    let few: Vec<f64> = times.iter().step_by(stride).map(scaled).collect();
+    let values: Vec<f64> = values.iter().copied().step_by(stride).collect();
+    let points = Points { times: &few, values: &values };
+    let (constant, _) = about(points, 1, [0.0; 3])?;
+    // The oscillation is found in the record itself, or in what a parabola leaves of it.
+    let plain = level_with(points, &vec![(0.0, 0.0); values.len()], 3)?;
+    let found = [[0.0; 3], plain].into_iter().filter_map(|level| about(points, 3, level));
+    let (squares, level) = found.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    (squares < PARABOLIC * constant).then(|| times.iter().map(|time| polynomial(&level, scaled(time))).collect())
+}
+
+/// Sum of squared residuals of a damped sinusoid about a level, and this level, a polynomial of `terms` terms. The oscillation is
+/// first sought about `level`. Times from -1/2 to 1/2.
+fn about(points: Points, terms: usize, level: [f64; 3]) -> Option<(f64, [f64; 3])> {
+    let without = |level: &[f64; 3]| -> Vec<f64> {
+        let rows = points.times.iter().zip(points.values);
+        rows.map(|(time, value)| value - polynomial(level, *time)).collect()
+    };
+    let begin = estimate(points.times, &without(&level))?;
+    let (origin, mut w, mut g) = (begin.origin, begin.angular_frequency, begin.damping);
+    let mut scratch = Vec::with_capacity(points.times.len());
+    let mut best: Option<(f64, [f64; 3])> = None;
+    for _ in 0..ROUNDS {
+        if terms > 1 && w < FEWEST_PERIODS * TAU {
+            return best;
+        }
+        basis(points, origin, w, g, &mut scratch);
+        let level = level_with(points, &scratch, terms)?;
+        let rest = without(&level);
+        let points = Points { values: &rest, ..points };
+        let better = Damped::of(points, origin, w, g, &mut scratch)?.improved(points, 3, &mut scratch);
+        (w, g) = (better.w, better.g);
+        if best.as_ref().is_none_or(|(least, _)| better.squares < *least) {
+            best = Some((better.squares, level));
+        }
+    }
+    best
+}
+
+/// Level of `terms` terms by linear least squares together with the oscillation of this `basis`; its entries are 0 for none.
+fn level_with(points: Points, basis: &[(f64, f64)], terms: usize) -> Option<[f64; 3]> {
+    let (mut matrix, mut right) = ([[0.0; 5]; 5], [0.0; 5]);
+    for ((&time, &value), &(c, s)) in points.times.iter().zip(points.values).zip(basis) {
+        let mut row = [c, s, 1.0, time, time * time];
+        row[2 + terms..].fill(0.0);
+        for i in 0..5 {
+            for j in 0..=i {
+                matrix[i][j] += row[i] * row[j];
+            }
+            right[i] += row[i] * value;
+        }
+    }
+    // A column without entries does not count.
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row[i] = if row[i] == 0.0 { 1.0 } else { row[i] };
+    }
+    solve(matrix, right).map(|[_, _, level @ ..]| level)
+}
+
+fn polynomial([constant, slope, curvature]: &[f64; 3], x: f64) -> f64 {
+    constant + x * (slope + x * curvature)
+}
 
 /// True if the level changes by more than its errors explain. Every third turning point shares no data with the one before.
 pub(super) fn is_significant(cycles: &[Cycle]) -> bool {

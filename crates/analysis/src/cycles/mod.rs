@@ -3,7 +3,7 @@
 mod constancy;
 mod cut_off;
 mod cycle;
-mod damped;
+pub(crate) mod damped;
 mod drift;
 mod estimate;
 mod lobes;
@@ -20,5 +20,6 @@ pub use cycle::{Cycle, Measured};
 pub use drift::Drift;
 pub use estimate::{Estimate, estimate};
 pub use quantity::{Quantity, columns, well_known};
+pub(crate) use record::is_white_noise;
 pub use record::{Cycles, NoCycles, cycles};
 pub use words::Writing;

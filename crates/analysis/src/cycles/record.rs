@@ -67,8 +67,10 @@ pub fn cycles(times: &[f64], values: &[f64]) -> Result<Cycles, NoCycles> {
         return Err(NoCycles::Unclear);
     }
     // The level is subtracted in rounds, because the measured offsets depend on it.
-    let mut values = own;
-    let mut level = vec![0.0; times.len()];
+    let parabola = drift::parabola(&times, &own);
+    let mut drifts = parabola.is_some();
+    let mut level = parabola.unwrap_or_else(|| vec![0.0; times.len()]);
+    let mut values: Vec<f64> = own.iter().zip(&level).map(|(value, level)| value - level).collect();
     let mut rounds = 0;
     let mut found = loop {
         let estimate = estimate(&times, &values).ok_or(NoCycles::Unclear)?;
@@ -79,10 +81,11 @@ pub fn cycles(times: &[f64], values: &[f64]) -> Result<Cycles, NoCycles> {
             *value -= drift;
             *level += drift;
         }
+        drifts = true;
         rounds += 1;
     };
     found.cycles.iter_mut().for_each(|cycle| cycle.offset.value += drift::at(&times, &level, cycle.time.value));
-    if rounds > 0 && drift::is_significant(&found.cycles) {
+    if drifts && drift::is_significant(&found.cycles) {
         found.drift = level.first().zip(level.last()).map(|(from, to)| Drift { from: *from, to: *to });
     }
     Ok(Cycles { cut_off, ..found })
@@ -93,9 +96,18 @@ fn measured(times: &[f64], values: &[f64], estimate: Estimate, windows: &Windows
     let (cycles, lost, correlation) = windows.cycles(false);
     let mut found = Cycles { estimate, cycles, lost, sinusoidal: true, correlation, drift: None, cut_off: None };
     let crossings = shape::cycles(times, values, correlation);
-    if is_another_shape(&found.cycles, &crossings) {
-        let lost = self::lost(times, &crossings);
-        found = Cycles { cycles: crossings, lost, sinusoidal: false, ..found };
+    let is_another_shape = is_another_shape(&found.cycles, &crossings);
+    match (is_another_shape, windows.cycles_with_harmonics()) {
+        (false, None) => {}
+        (false, Some((cycles, lost, correlation))) => found = Cycles { cycles, lost, correlation, ..found },
+        (true, harmonic) => {
+            // Harmonics are no noise.
+            let harmonic = harmonic.map(|(_, _, correlation)| correlation).filter(|own| *own < correlation);
+            let crossings = harmonic.map_or(crossings, |correlation| shape::cycles(times, values, correlation));
+            let correlation = harmonic.unwrap_or(correlation);
+            let lost = self::lost(times, &crossings);
+            found = Cycles { cycles: crossings, lost, correlation, sinusoidal: false, ..found };
+        }
     }
     let period = match found.cycles.is_empty() {
         true => TAU / estimate.angular_frequency,
@@ -110,7 +122,7 @@ fn measured(times: &[f64], values: &[f64], estimate: Estimate, windows: &Windows
 }
 
 /// True if rows are correlated neither with the next ones nor with those after them.
-fn is_white_noise(values: &[f64]) -> bool {
+pub(crate) fn is_white_noise(values: &[f64]) -> bool {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
     let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();

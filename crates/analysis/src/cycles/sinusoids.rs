@@ -1,7 +1,7 @@
 //! Cycles of a damped sinusoid, each from a fit to the three half-cycles around one turning point.
 
 use super::cycle::{Cycle, Measured};
-use super::damped::{Damped, Points, basis};
+use super::damped::{Damped, Points, basis, covariance, normal};
 use super::estimate::Estimate;
 use crate::fit::autoregression::{Block, common_correlation};
 use core::f64::consts::{PI, TAU};
@@ -19,6 +19,10 @@ struct Window<'a> {
     expected: f64,
 }
 
+/// Least ratio of the variance that harmonics explain, by number, to the remaining one, for a shape with harmonics. In white noise
+/// it is about 1.
+const HARMONIC: f64 = 3.0;
+
 /// Number of consecutive unclear turning points that ends the table.
 const FAILURES: usize = 3;
 
@@ -35,12 +39,46 @@ impl Windows<'_> {
     pub(super) fn cycles(&self, drifts: bool) -> (Vec<Cycle>, Option<f64>, f64) {
         let mut scratch = Vec::new();
         let blocks: Vec<Block> = self.windows.iter().map(|window| window.residuals(drifts, &mut scratch)).collect();
+        self.measured(&blocks, |window, variance, rho| self.windows[window].cycle(variance, rho, &mut scratch))
+    }
+
+    /// [`Windows::cycles`] of a shape with harmonics, which are fitted with the oscillation in each window; `None` if the windows
+    /// show none.
+    pub(super) fn cycles_with_harmonics(&self) -> Option<(Vec<Cycle>, Option<f64>, f64)> {
+        let mut scratch = Vec::new();
+        let (mut explained, mut left, mut freedom) = (0.0, 0.0, 0.0);
+        let (mut fits, mut blocks) = (Vec::new(), Vec::new());
+        for window in &self.windows {
+            let plain = window.residuals(false, &mut scratch);
+            let (fit, columns, block) = window.fit.with_harmonics(window.points, &mut scratch)?;
+            explained += plain.squares() - block.squares();
+            left += block.squares();
+            freedom += block.freedom() as f64;
+            fits.push((fit, columns));
+            blocks.push(block);
+        }
+        let harmonics = 4.0 * fits.len() as f64;
+        if !(explained / harmonics > HARMONIC * left / freedom) {
+            return None;
+        }
+        Some(self.measured(&blocks, |window, variance, rho| {
+            let (fit, columns) = &fits[window];
+            cycle(fit, &covariance(normal(columns), columns, variance, rho)?, self.windows[window].expected)
+        }))
+    }
+
+    /// Cycles of all windows with these residuals; `cycle` makes that of a window from the variance and the correlation of the noise.
+    fn measured(
+        &self,
+        blocks: &[Block],
+        mut cycle: impl FnMut(usize, f64, f64) -> Option<Cycle>,
+    ) -> (Vec<Cycle>, Option<f64>, f64) {
         // Windows three turning points apart share no rows.
         let rho = common_correlation(blocks.iter().step_by(3)).max(0.0);
         let mut cycles: Vec<Cycle> = Vec::with_capacity(self.windows.len());
         let mut failures = 0;
-        for (window, variance) in self.windows.iter().zip(variances(&blocks, rho)) {
-            match window.cycle(variance, rho, &mut scratch) {
+        for (window, variance) in variances(blocks, rho).into_iter().enumerate() {
+            match cycle(window, variance, rho) {
                 Some(cycle) => {
                     failures = 0;
                     cycles.push(cycle);

@@ -187,13 +187,18 @@ impl Block {
         self.residuals.len().saturating_sub(self.basis.len())
     }
 
+    /// Sum of the squared residuals.
+    pub(crate) fn squares(&self) -> f64 {
+        dot(&self.residuals, &self.residuals)
+    }
+
     fn count(&self) -> f64 {
         self.residuals.len() as f64
     }
 
     /// Errors for the observed sum of squares, where `expected` is the sum expected for unit variance.
     fn errors(&self, rho: f64, expected: f64) -> Errors {
-        let variance = dot(&self.residuals, &self.residuals) / expected.max(1e-6 * self.count());
+        let variance = self.squares() / expected.max(1e-6 * self.count());
         Errors { count: self.residuals.len(), rho, variance }
     }
 

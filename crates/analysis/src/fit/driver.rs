@@ -4,13 +4,15 @@ use super::lanes::Lanes;
 use super::outcome::{self, Course, Outcome};
 use super::search::elsewhere::{Beginning, Elsewhere};
 use super::search::loss::Loss;
+use super::search::moves;
+use super::search::moves::Moves;
 use super::search::problem::Problem;
 use super::search::refine::Refinement;
 use super::search::robust::Continuation;
 use super::search::stages;
 use super::search::stages::{Current, Stages};
 use super::search::window;
-use super::search::window::TRIALS;
+use super::search::window::{TRIALS, Window};
 use super::search::{Search, Status};
 use super::task::{FitError, Task};
 use super::trace::{self, Trace};
@@ -37,7 +39,11 @@ pub struct Fit {
     best: Option<Search>,
     /// Remaining stages, each with a start.
     stages: Stages,
-    /// Searches around the best answer, after the stages.
+    /// Searches away from the best answer, after the stages.
+    moves: Moves,
+    /// True while one of its short searches runs.
+    moving: bool,
+    /// Searches around the best answer, after the moves.
     elsewhere: Elsewhere,
     /// Refinement from the best answer itself, at the end.
     refinement: Refinement,
@@ -98,7 +104,21 @@ impl Fit {
     fn with(problem: Problem, stages: Stages, refinement: Refinement) -> Self {
         let elsewhere = Elsewhere::new(&problem);
         let course = Course::default();
-        Self { problem, current: None, best: None, stages, elsewhere, refinement, exchange: None, course, trials: 0 }
+        let moves = Moves::default();
+        let moving = false;
+        Self {
+            problem,
+            current: None,
+            best: None,
+            stages,
+            moves,
+            moving,
+            elsewhere,
+            refinement,
+            exchange: None,
+            course,
+            trials: 0,
+        }
     }
 
     /// Makes one trial. Returns true if the fit is finished.
@@ -214,7 +234,7 @@ impl Fit {
             self.stages.skip(self.elsewhere.has_events());
         }
         if self.stages.is_empty() {
-            self.try_elsewhere();
+            self.move_away();
         } else {
             self.current = self.stages.next(&mut self.problem);
             self.course.starts += usize::from(self.current.is_some());
@@ -225,6 +245,18 @@ impl Fit {
     fn is_enough(&self) -> bool {
         let definite = |best: &Search| self.stages.is_definite(best, self.elsewhere.is_confirmed(best));
         self.course.converged && self.explained() >= Self::EXPLAINED && self.best.as_ref().is_some_and(definite)
+    }
+
+    /// Begins the next search away from the best answer; after the last one, the searches around it.
+    fn move_away(&mut self) {
+        let problem = &mut self.problem;
+        let Some((start, short)) = self.best.as_ref().and_then(|best| self.moves.next(problem, best)) else {
+            return self.try_elsewhere();
+        };
+        self.course.starts += usize::from(short);
+        self.moving = short;
+        let search = window::search(problem, &start, if short { Moves::SHORT } else { TRIALS });
+        self.current = Some(Current::whole(problem, search, false));
     }
 
     /// Begins the next search around the best answer; after the last one, refines the best answer.
@@ -256,6 +288,7 @@ impl Fit {
             return;
         }
         self.course.exchanges = std::mem::take(&mut exchange.found);
+        self.course.unexplained = if plain { moves::unexplained(problem, best) } else { None };
         self.exchange = None;
         self.course.finished = true;
     }
@@ -267,19 +300,33 @@ impl Fit {
     }
 
     /// Takes the result of a search over the whole fitted part.
-    fn settle(&mut self, search: Search) {
+    fn settle(&mut self, mut search: Search) {
+        if !self.problem.turn_phases_inside(&mut search.x) {
+            let plans = self.problem.plans.clone();
+            let bounds = self.problem.bounds.clone();
+            let search = Window { problem: &mut self.problem, plans: &plans }.search_within(&search.x, bounds, TRIALS);
+            self.current = Some(Current::whole(&self.problem, search, false));
+            return;
+        }
         if let (Some(exchange), Some(best)) = (&mut self.exchange, &self.best) {
             exchange.settle(&self.problem, best, &search);
             return self.try_exchange();
         }
+        let short = std::mem::take(&mut self.moving);
+        if short {
+            self.moves.remember(&search);
+        }
         let refining = self.refinement.has_begun();
-        if !refining {
+        if !refining && (!short || search.status == Status::Converged) {
             self.elsewhere.remember_end(&search, self.best.as_ref());
         }
         let better = match &self.best {
             // After refinement or reweighting, sums of squares cannot be compared; the refined search replaces the best
             // one.
             Some(_) if refining => search.sum.is_finite(),
+            Some(best) if search.status == Status::Converged && !self.course.converged => {
+                search.sum <= best.sum * (1.0 + Self::BETTER)
+            }
             Some(best) => search.sum < best.sum * (1.0 - Self::BETTER),
             None => search.sum.is_finite(),
         };

@@ -32,6 +32,8 @@ pub struct Outcome {
     pub starts: usize,
     /// Another minimum that fits as well within the noise, if the search has found one.
     pub rival: Option<Rival>,
+    /// Period of an oscillation that the residuals of a model with several frequencies hold, SI: another minimum may exist.
+    pub unexplained: Option<f64>,
     /// Number of times a profile found a lower sum of squares, so that the fit was restarted there.
     pub improved: usize,
     /// True if trials were given up because they needed more computation than a trial may take.
@@ -95,8 +97,8 @@ pub struct Outcome {
     pub reweighted: Option<Reweighted>,
     /// Measured and fitted values, by record and observation.
     pub observations: Vec<ObservationFit>,
-    /// One value per record: the reading of its clock at which the initial values of the equations of motion hold. Empty
-    /// for formulas.
+    /// One value per record: the reading of its clock at the model's 0, where the initial values of equations of motion hold. Empty
+    /// for formulas, unless a clock that begins late was moved.
     pub origins: Vec<f64>,
     /// Values of all parameters of the model, one row per record, with the fitted values.
     pub settings: Vec<Vec<f64>>,
@@ -137,6 +139,8 @@ pub(super) struct Course {
     pub starts: usize,
     /// See [`Outcome::rival`].
     pub rival: Option<Rival>,
+    /// See [`Outcome::unexplained`].
+    pub unexplained: Option<f64>,
     /// See [`Outcome::improved`].
     pub improved: usize,
     /// Pairs of columns of the search whose values can be exchanged.
@@ -177,6 +181,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         converged: course.converged,
         starts: course.starts,
         rival: course.rival.clone(),
+        unexplained: course.unexplained,
         improved: course.improved,
         gave_up: problem.curve.gave_up(),
         n: values as usize,
@@ -211,7 +216,8 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
 }
 
 fn origins(problem: &Problem, best: &Search) -> Vec<f64> {
-    let plans = problem.plans.iter().enumerate().filter(|_| problem.curve.has_states());
+    let counts = problem.curve.has_states() || problem.layout.moved.contains(&true);
+    let plans = problem.plans.iter().enumerate().filter(|_| counts);
     plans.map(|(record, plan)| problem.origin(record, plan, &best.x)).collect()
 }
 

@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
+mod cycle_drifts;
 mod cycle_errors;
 mod cycles;
 mod data_sets;

@@ -12,6 +12,7 @@ pub fn fit_as_json(fitted: &Fitted, data: &[Measured]) -> Value {
     let outcome = &fitted.outcome;
     let report = fitted.fit_report();
     let several = fitted.task.records.len() > 1;
+    let time = &fitted.theory.document.program.model.independent.unit;
     let lacking = |lack: Lack| outcome.undetermined.iter().filter(move |one| one.lack == lack);
     let least_squares = outcome.reweighted.as_ref().map(|robust| robust.least_squares.as_slice());
     let mut object = json!({
@@ -21,6 +22,7 @@ pub fn fit_as_json(fitted: &Fitted, data: &[Measured]) -> Value {
         "starts": outcome.starts,
         "improved_by_profile": outcome.improved > 0,
         "other_minimum": other_minimum(outcome),
+        "unexplained_period": outcome.unexplained.map(|period| in_unit(time, period)),
         "n": outcome.n,
         "dof": outcome.dof,
         "rmse": in_unit(&outcome.rmse_unit, outcome.rmse),
@@ -69,13 +71,15 @@ pub fn fit_as_json(fitted: &Fitted, data: &[Measured]) -> Value {
                 "parameters": estimates(&outcome.parameters, &fitted.intervals, least_squares, Some(record)),
                 "derived": estimates(&outcome.derived, &[], None, Some(record)),
                 "observations": observations(outcome, Some(record)),
-                "initial_values_at": initial_values_at(fitted, record),
+                "initial_values_at": begin(fitted, record, false),
+                "clock_moved_to": begin(fitted, record, true),
             })
         };
         object["runs"] = fitted.task.records.iter().enumerate().map(run).collect();
     } else {
         object["observations"] = observations(outcome, None);
-        object["initial_values_at"] = initial_values_at(fitted, 0);
+        object["initial_values_at"] = begin(fitted, 0, false);
+        object["clock_moved_to"] = begin(fitted, 0, true);
     }
     object
 }
@@ -97,10 +101,12 @@ fn other_minimum(outcome: &Outcome) -> Value {
     json!({"chi2_growth": rival.growth, "parameters": values})
 }
 
-/// Clock reading of a record at which the initial values of the equations hold; null for formulas.
-fn initial_values_at(fitted: &Fitted, record: usize) -> Value {
-    let unit = &fitted.theory.document.program.model.independent.unit;
-    let origin = fitted.outcome.origins.get(record);
+/// Clock reading of a record at the model's 0: where the initial values of equations hold, or for a `formula`, where its clock was
+/// moved. Null for the other kind of model, and for a clock that was not moved.
+fn begin(fitted: &Fitted, record: usize, formula: bool) -> Value {
+    let model = &fitted.theory.document.program.model;
+    let unit = &model.independent.unit;
+    let origin = fitted.outcome.origins.get(record).filter(|_| model.states.is_empty() == formula);
     origin.map_or(Value::Null, |origin| json!({"value": in_unit(unit, *origin), "unit": unit.text}))
 }
 

@@ -204,10 +204,12 @@ fn short_name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
-/// `--fix NAME=VALUE`, with one value for all records or one per record.
+/// `--fix NAME=VALUE`, with one value for all records or one per record. NAME is a parameter or `t_origin`.
 fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Refusal> {
     let values = task.parameters.clone();
     let several = listed_values(&fixed.value);
+    let clock = reader.model.independent.clone();
+    let is_origin = fixed.name == format!("{}_origin", clock.name);
     if several.len() > 1 {
         if several.len() != task.records.len() {
             let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
@@ -222,10 +224,19 @@ fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), R
             ));
         }
         for (record, value) in several.iter().enumerate() {
+            if is_origin {
+                task.records[record].origin = Some(reader.value("--fix", value, &clock.unit, &values)?);
+                continue;
+            }
             let one = Assignment { name: fixed.name.clone(), value: (*value).to_owned() };
             let assigned = reader.parameter("--fix", &one, &values)?;
             task.records[record].fixed.push(assigned);
         }
+        return Ok(());
+    }
+    if is_origin {
+        let reading = reader.value("--fix", &fixed.value, &clock.unit, &values)?;
+        task.records.iter_mut().for_each(|record| record.origin = Some(reading));
         return Ok(());
     }
     let (index, value) = reader.parameter("--fix", fixed, &values)?;

@@ -66,6 +66,17 @@ impl Outcome {
         texts
     }
 
+    /// Sentence about an oscillation that the residuals of a model with several frequencies hold, if there is one. `time` formats
+    /// a period in SI with its unit.
+    pub fn unexplained_text(&self, language: Language, time: impl Fn(f64) -> String) -> Option<String> {
+        let period = time(self.unexplained?);
+        Some(say!(
+            language,
+            "The residuals hold an oscillation with the period {period}: another minimum may fit better. Begin from values \
+             of the frequencies that are nearer."
+        ))
+    }
+
     /// Sentence about another minimum that fits as well within the noise, if there is one. `quantity` formats a value in SI
     /// of an estimate with its unit.
     pub fn rival_text(&self, language: Language, quantity: impl Fn(&Estimate, f64) -> String) -> Option<String> {

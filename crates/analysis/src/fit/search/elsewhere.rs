@@ -248,7 +248,7 @@ impl Walk {
         let mut bounds = problem.bounds.clone();
         bounds[self.column] = (value, value);
         let plans = problem.plans.clone();
-        let search = Window { problem, plans: &plans }.search_within(&start, bounds, Elsewhere::TRIALS_HELD);
+        let search = Window { problem, plans: &plans }.search_holding(&start, bounds, Elsewhere::TRIALS_HELD);
         Some(Beginning { search, held: true })
     }
 }

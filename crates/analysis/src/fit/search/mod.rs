@@ -12,14 +12,19 @@
 
 pub(in crate::fit) mod curve;
 pub(in crate::fit) mod elsewhere;
+mod late;
+mod line;
 pub(in crate::fit) mod loss;
 mod motion;
+pub(in crate::fit) mod moves;
+mod phases;
 pub(in crate::fit) mod problem;
 pub(in crate::fit) mod refine;
 pub(in crate::fit) mod robust;
 pub(in crate::fit) mod stages;
 pub(in crate::fit) mod start;
 pub(in crate::fit) mod symmetry;
+mod tones;
 pub(in crate::fit) mod window;
 
 use super::linear::{Decomposition, Jacobian, Split, norm};

@@ -2,6 +2,8 @@
 //! respect to every varied number.
 
 use super::curve::{self, Curve};
+use super::late;
+use super::tones::Tones;
 use crate::fit::lanes::Sought;
 use crate::fit::linear::Jacobian;
 use crate::fit::task::columns;
@@ -33,6 +35,8 @@ pub(crate) struct Problem {
     /// Start of each column, SI: given, else the value of the parameter, the origin of the plan, 0 for offsets, 1 for film
     /// scales.
     pub own: Vec<f64>,
+    /// Sinusoids written in the model.
+    pub tones: Tones,
     /// Assignment of measured values to the curve.
     pub layout: Layout,
     /// Fitted values, one plan per record.
@@ -87,16 +91,33 @@ impl Problem {
             .map_err(FitError::Model)?;
         let varies_origin = targets.contains(&Target::Origin);
         let forwards = curve.has_states() && !varies_origin;
-        let layout = Layout { expressions, autonomous: model.is_autonomous(), forwards };
+        let varied: Vec<usize> = columns::parameters(&columns);
+        let tones = Tones::new(model, &expressions, &varied);
+        let mut layout = Layout { expressions, autonomous: model.is_autonomous(), moved: Vec::new(), forwards };
+        let bounds = columns::bounds(model, &task, &columns);
+        if !layout.autonomous {
+            let own = columns::own_start(&task, &columns, &[]);
+            let moves = |place: usize| {
+                let numbers = (&columns[..], &bounds[..], &own[..]);
+                task.records[place].origin.is_none()
+                    && if varies_origin {
+                        late::span(&task.records[place]).is_some()
+                    } else {
+                        late::may_move(model, &layout.expressions, &task, numbers, place)
+                    }
+            };
+            layout.moved = (0..task.records.len()).map(moves).collect();
+        }
         let plans = layout.plans(&task, |time| task.covers(time));
         check::points(&layout, &task, &plans, columns.iter().filter(|column| !column.is_scale()).count())?;
         let mut problem = Self {
             model: curve::bare(model),
-            bounds: columns::bounds(model, &task, &columns),
+            bounds,
             own: columns::own_start(&task, &columns, &plans),
             curve,
             task,
             columns,
+            tones,
             layout,
             plans: Arc::new(plans),
             total: 0.0,

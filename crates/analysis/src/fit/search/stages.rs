@@ -150,7 +150,7 @@ impl Stages {
                 *bounds = (start[number], start[number]);
             }
         }
-        let search = Window { problem, plans: &plans }.search_within(start, bounds, limit);
+        let search = Window { problem, plans: &plans }.search_holding(start, bounds, limit);
         Current { search, plans, windows, held: false }
     }
 

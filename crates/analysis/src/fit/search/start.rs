@@ -5,20 +5,23 @@
 //! from its beginning, so that the phase error at the end of a window stays below half a period.
 
 use super::problem::Problem;
+use super::tones::Phase;
 use crate::cycles::{Estimate, estimate};
 use crate::fit::linear::{Decomposition, Jacobian};
 use crate::fit::task::Target;
 use crate::fit::task::plan::{Plan, Point};
-use units::Dimension;
+use std::f64::consts::TAU;
 
 /// Role of a varied parameter in a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
+pub(crate) enum Role {
     /// The formula is linear in it.
     Linear,
-    /// Rate, 1/time.
+    /// Frequency or phase of a sinusoid of the formula.
+    Tone,
+    /// Other rate, of the dimension 1/independent variable.
     Rate,
-    /// Time.
+    /// Number of the dimension of the independent variable.
     Time,
     /// Pure number, perhaps a phase.
     Number,
@@ -55,30 +58,48 @@ pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate
     // A shared number comes from the first record; a number of one record from its own.
     for (record, estimate) in estimates.iter().enumerate() {
         let Some(estimate) = estimate else { continue };
-        // Without damping the time constant would be infinite.
-        let damping = estimate.damping.max(1e-3 * estimate.angular_frequency);
         let plan = thinned(&problem.plans[record]);
         let mine: Vec<usize> = (0..problem.columns.len())
             .filter(|&number| problem.columns[number].record.map_or(record == 0, |own| own == record))
             .collect();
+        let part = Part { record, plan: &plan, roles: &roles, mine: &mine };
+        // Frequencies: of the sinusoids of the formula, or if it has none that is varied, any rate or time.
+        let mut tuned: Vec<(usize, Vec<f64>, Option<Phase>)> = Vec::new();
+        for tone in 0..problem.tones.tones.len() {
+            let phase = problem.tones.tones[tone].phase;
+            for number in tone_columns(problem, tone, &mine) {
+                if let Some(x) = with_tone(problem, (tone, number), record, &start, estimate.angular_frequency) {
+                    tuned.push((number, x, phase));
+                }
+            }
+        }
         let rates: Vec<usize> =
             mine.iter().copied().filter(|&number| matches!(roles[number], Role::Rate | Role::Time)).collect();
-        let mut best = (f64::INFINITY, start.clone());
-        for order in orders(rates.len()) {
-            let mut trial = start.clone();
-            for (&number, value) in rates.iter().zip(order) {
-                trial[number] = match (value, roles[number]) {
-                    (Shown::Frequency, Role::Rate) => estimate.angular_frequency,
-                    (Shown::Frequency, _) => 2.0 * std::f64::consts::PI / estimate.angular_frequency,
-                    (Shown::Damping, Role::Rate) => damping,
-                    (Shown::Damping, _) => 1.0 / damping,
-                    (Shown::Own, _) => problem.own[number],
+        if tuned.is_empty() {
+            for &number in rates.iter().take(FEW) {
+                let mut x = start.clone();
+                x[number] = match roles[number] {
+                    Role::Rate => estimate.angular_frequency,
+                    _ => TAU / estimate.angular_frequency,
                 };
+                tuned.push((number, x, None));
             }
-            if let Some(sum) = complete(problem, record, &plan, &roles, &mine, &mut trial)
-                && sum < best.0
-            {
-                best = (sum, trial);
+        }
+        // Without damping the time constant would be infinite.
+        let damping = estimate.damping.max(1e-3 * estimate.angular_frequency);
+        let mut best = (f64::INFINITY, start.clone());
+        for (frequency, x, phase) in &tuned {
+            let damped = rates.iter().take(FEW).filter(|number| *number != frequency).map(|&number| Some(number));
+            for damped in damped.chain([None]).take(if rates.len() > 1 { FEW } else { 1 }) {
+                let mut trial = x.clone();
+                if let Some(number) = damped {
+                    trial[number] = if roles[number] == Role::Rate { damping } else { 1.0 / damping };
+                }
+                if let Some(sum) = part.complete(problem, *phase, &mut trial)
+                    && sum < best.0
+                {
+                    best = (sum, trial);
+                }
             }
         }
         start = best.1;
@@ -86,37 +107,47 @@ pub(crate) fn from_estimates(problem: &mut Problem, estimates: &[Option<Estimate
     (start != problem.own).then_some(start)
 }
 
-/// Property of an oscillation assigned to a rate.
-#[derive(Clone, Copy, Debug)]
-enum Shown {
-    Frequency,
-    Damping,
-    Own,
+/// Greatest number of rates and times that get a frequency or a damping.
+const FEW: usize = 4;
+
+/// Columns among `mine` that set the frequency of a tone.
+pub(crate) fn tone_columns(problem: &Problem, tone: usize, mine: &[usize]) -> Vec<usize> {
+    let sets = |number: &usize| match problem.columns[*number].target() {
+        Some(Target::Parameter(index)) => problem.tones.tones[tone].frequencies.contains(&index),
+        _ => false,
+    };
+    mine.iter().copied().filter(sets).collect()
 }
 
-/// Assignments of the frequency and the damping to `rates` rates.
-fn orders(rates: usize) -> Vec<Vec<Shown>> {
-    // Of more than four rates, the others keep their values.
-    let few = rates.min(4);
-    let mut orders = Vec::new();
-    for frequency in 0..few {
-        for damping in 0..=few {
-            if frequency == damping || (damping == few && few > 1) {
-                continue;
-            }
-            let mut order = vec![Shown::Own; rates];
-            order[frequency] = Shown::Frequency;
-            if let Some(place) = order.get_mut(damping) {
-                *place = Shown::Damping;
-            }
-            orders.push(order);
-        }
-    }
-    orders
+/// `x` with one number changed so that a tone has the angular frequency `wanted` (rad per unit of the independent variable) in the
+/// middle of a record; `None` if there is no such value.
+pub(crate) fn with_tone(
+    problem: &mut Problem,
+    (tone, number): (usize, usize),
+    record: usize,
+    x: &[f64],
+    wanted: f64,
+) -> Option<Vec<f64>> {
+    let Some(Target::Parameter(index)) = problem.columns[number].target() else { return None };
+    let parameters = problem.parameters(record, x);
+    let plan = &problem.plans[record];
+    let middle = 0.5 * (plan.times.first()? + plan.times.last()?) - problem.origin(record, plan, x);
+    let value = problem.tones.tuned(tone, index, &parameters, (middle, wanted))?;
+    let mut x = x.to_vec();
+    x[number] = value;
+    Some(x)
 }
 
-fn roles(problem: &Problem) -> Vec<Role> {
-    let rate = Dimension::TIME.inverse();
+/// Roles of the numbers in a formula.
+pub(crate) fn roles(problem: &Problem) -> Vec<Role> {
+    let time = problem.model.independent.unit.dimension;
+    let rate = time.inverse();
+    let tones = &problem.tones.tones;
+    let in_tone = |index: usize| {
+        tones
+            .iter()
+            .any(|tone| tone.frequencies.contains(&index) || tone.phase.is_some_and(|phase| phase.parameter == index))
+    };
     problem
         .columns
         .iter()
@@ -127,9 +158,11 @@ fn roles(problem: &Problem) -> Vec<Role> {
                 let dimension = problem.model.parameters.get(index).map(|parameter| parameter.unit.dimension);
                 if problem.curve.is_linear_in(index) {
                     Role::Linear
+                } else if in_tone(index) {
+                    Role::Tone
                 } else if dimension == Some(rate) {
                     Role::Rate
-                } else if dimension == Some(Dimension::TIME) {
+                } else if dimension == Some(time) {
                     Role::Time
                 } else if dimension.is_some_and(|dimension| dimension.is_none()) {
                     Role::Number
@@ -153,70 +186,87 @@ pub(crate) fn thinned(plan: &Plan) -> Plan {
     Plan { times: plan.times.iter().copied().step_by(every).collect(), points: kept, ..plan.clone() }
 }
 
-/// Sets the linear parameters and the phase in `trial` for its rates. Returns the sum of squares reached.
-///
-/// A sinusoid of any phase is a sum of those of phase 0 and of a quarter turn: f(phi) = f(0) cos phi + f(pi/2) sin phi.
-/// Linear least squares gets both columns, and the amplitude and the phase follow from the two coefficients.
-fn complete(
-    problem: &mut Problem,
-    record: usize,
-    plan: &Plan,
-    roles: &[Role],
-    mine: &[usize],
-    trial: &mut [f64],
-) -> Option<f64> {
-    let rows = plan.points.len();
-    let linear: Vec<usize> = mine.iter().copied().filter(|&number| roles[number] == Role::Linear).collect();
-    let phase = mine.iter().copied().find(|&number| roles[number] == Role::Number);
-    let at = |problem: &mut Problem, x: &[f64]| {
-        let mut residuals = vec![0.0; rows];
-        let mut jacobian = Jacobian::new(rows, x.len());
-        problem.record_residuals(record, plan, x, &mut residuals, &mut jacobian).then_some((residuals, jacobian))
-    };
-    // With the linear part at zero, the residuals are what the linear part has to explain.
-    let mut bare = trial.to_vec();
-    linear.iter().for_each(|&number| bare[number] = 0.0);
-    if let Some(phase) = phase {
-        bare[phase] = 0.0;
-    }
-    let (residuals, first) = at(problem, &bare)?;
-    let Some(phase) = phase.filter(|_| !linear.is_empty()) else {
-        let solved = solve(&first, &linear, &residuals)?;
-        linear.iter().zip(&solved.0).for_each(|(&number, value)| bare[number] = *value);
-        trial.copy_from_slice(&bare);
-        return Some(solved.1);
-    };
-    let mut turned = bare.clone();
-    turned[phase] = std::f64::consts::FRAC_PI_2;
-    let (_, second) = at(problem, &turned)?;
-    let mut best: Option<(f64, Vec<f64>)> = None;
-    for &amplitude in &linear {
-        // Basis: every linear column at phase 0, and that of this amplitude also at a quarter turn.
-        let mut basis = Jacobian::new(rows, linear.len() + 1);
-        for (place, &number) in linear.iter().enumerate() {
-            basis.column_mut(place).copy_from_slice(first.column(number));
+/// Numbers of one record, and its thinned rows.
+pub(crate) struct Part<'a> {
+    /// Index of the record.
+    pub record: usize,
+    /// Its rows.
+    pub plan: &'a Plan,
+    /// Role of each column.
+    pub roles: &'a [Role],
+    /// Columns that belong to the record.
+    pub mine: &'a [usize],
+}
+
+impl Part<'_> {
+    /// Sets the linear parameters and the phase in `trial` for its rates. `phase` is that of a tone; for `None` the first pure number is
+    /// taken as a phase. Returns the sum of squares reached.
+    ///
+    /// A sinusoid of any phase is a sum of those of phase 0 and of a quarter turn: f(phi) = f(0) cos phi + f(pi/2) sin phi.
+    /// Linear least squares gets both columns, and the amplitude and the phase follow from the two coefficients.
+    pub fn complete(&self, problem: &mut Problem, phase: Option<Phase>, trial: &mut [f64]) -> Option<f64> {
+        let &Part { record, plan, roles, mine } = self;
+        let rows = plan.points.len();
+        let linear: Vec<usize> = mine.iter().copied().filter(|&number| roles[number] == Role::Linear).collect();
+        let of_tone = |phase: Phase| {
+            let column = |number: &usize| problem.columns[*number].target() == Some(Target::Parameter(phase.parameter));
+            Some((mine.iter().copied().find(column)?, phase.period))
+        };
+        let first_number = || mine.iter().copied().find(|&number| roles[number] == Role::Number);
+        let phase = match phase {
+            Some(phase) => of_tone(phase),
+            None => first_number().map(|number| (number, TAU)),
+        };
+        let at = |problem: &mut Problem, x: &[f64]| {
+            let mut residuals = vec![0.0; rows];
+            let mut jacobian = Jacobian::new(rows, x.len());
+            problem.record_residuals(record, plan, x, &mut residuals, &mut jacobian).then_some((residuals, jacobian))
+        };
+        // With the linear part at zero, the residuals are what the linear part has to explain.
+        let mut bare = trial.to_vec();
+        linear.iter().for_each(|&number| bare[number] = 0.0);
+        if let Some((phase, _)) = phase {
+            bare[phase] = 0.0;
         }
-        basis.column_mut(linear.len()).copy_from_slice(second.column(amplitude));
-        let all: Vec<usize> = (0..=linear.len()).collect();
-        let Some((values, sum)) = solve(&basis, &all, &residuals) else { continue };
-        if best.as_ref().is_some_and(|(least, _)| *least <= sum) {
-            continue;
+        let (residuals, first) = at(problem, &bare)?;
+        let Some((phase, period)) = phase.filter(|_| !linear.is_empty()) else {
+            let solved = solve(&first, &linear, &residuals)?;
+            linear.iter().zip(&solved.0).for_each(|(&number, value)| bare[number] = *value);
+            trial.copy_from_slice(&bare);
+            return Some(solved.1);
+        };
+        let mut turned = bare.clone();
+        turned[phase] = 0.25 * period;
+        let (_, second) = at(problem, &turned)?;
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        for &amplitude in &linear {
+            // Basis: every linear column at phase 0, and that of this amplitude also at a quarter turn.
+            let mut basis = Jacobian::new(rows, linear.len() + 1);
+            for (place, &number) in linear.iter().enumerate() {
+                basis.column_mut(place).copy_from_slice(first.column(number));
+            }
+            basis.column_mut(linear.len()).copy_from_slice(second.column(amplitude));
+            let all: Vec<usize> = (0..=linear.len()).collect();
+            let Some((values, sum)) = solve(&basis, &all, &residuals) else { continue };
+            if best.as_ref().is_some_and(|(least, _)| *least <= sum) {
+                continue;
+            }
+            let mut x = bare.clone();
+            linear.iter().zip(&values).for_each(|(&number, value)| x[number] = *value);
+            let (cosine, sine) = (x[amplitude], values[linear.len()]);
+            x[amplitude] = libm::hypot(cosine, sine);
+            x[phase] = libm::atan2(sine, cosine) / TAU * period;
+            best = Some((sum, x));
         }
-        let mut x = bare.clone();
-        linear.iter().zip(&values).for_each(|(&number, value)| x[number] = *value);
-        let (cosine, sine) = (x[amplitude], values[linear.len()]);
-        x[amplitude] = libm::hypot(cosine, sine);
-        x[phase] = libm::atan2(sine, cosine);
-        best = Some((sum, x));
+        let (sum, x) = best?;
+        trial.copy_from_slice(&x);
+        Some(sum)
     }
-    let (sum, x) = best?;
-    trial.copy_from_slice(&x);
-    Some(sum)
 }
 
 /// Linear least squares: returns the values that minimise `residuals` plus the columns times the values, and the remaining
 /// sum of squares.
-fn solve(columns: &Jacobian, chosen: &[usize], residuals: &[f64]) -> Option<(Vec<f64>, f64)> {
+pub(crate) fn solve(columns: &Jacobian, chosen: &[usize], residuals: &[f64]) -> Option<(Vec<f64>, f64)> {
     let scale: Vec<f64> = (0..columns.columns)
         .map(|column| {
             let length = crate::fit::linear::norm(columns.column(column));
@@ -244,7 +294,7 @@ pub(crate) fn windows(problem: &Problem, estimates: &[Option<Estimate>]) -> Vec<
         let (Some(start), Some(end)) = (plan.times.first(), plan.times.last()) else { continue };
         duration = duration.max(end - start);
         let period = match estimate {
-            Some(estimate) => 2.0 * std::f64::consts::PI / estimate.angular_frequency,
+            Some(estimate) => TAU / estimate.angular_frequency,
             None => (end - start) / 6.0,
         };
         first = first.min(period);

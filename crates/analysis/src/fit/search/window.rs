@@ -29,7 +29,16 @@ impl Residuals for Window<'_> {
 impl Window<'_> {
     /// Search from `start` (SI, one number per column), of at most `limit` trials.
     pub fn search(&mut self, start: &[f64], limit: usize) -> Search {
-        self.search_within(start, self.problem.bounds.clone(), limit)
+        self.search_within(start, self.problem.open_bounds(), limit)
+    }
+
+    /// Search from `start` with numbers held (SI, one number and one pair per column): bounds with equal ends hold, and others
+    /// are those of [`Problem::open_bounds`].
+    pub fn search_holding(&mut self, start: &[f64], bounds: Vec<(f64, f64)>, limit: usize) -> Search {
+        let open = self.problem.open_bounds();
+        let is_held = |bounds: &(f64, f64)| bounds.0 >= bounds.1;
+        let bounds = bounds.into_iter().zip(open).map(|(own, open)| if is_held(&own) { own } else { open }).collect();
+        self.search_within(start, bounds, limit)
     }
 
     /// Search from `start` with the given bounds (SI, one number and one pair per column).

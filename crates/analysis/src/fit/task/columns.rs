@@ -45,6 +45,17 @@ pub(in crate::fit) fn of(task: &Task) -> Vec<Column> {
     columns
 }
 
+/// Varied parameters of the model, each once.
+pub(in crate::fit) fn parameters(columns: &[Column]) -> Vec<usize> {
+    let parameter = |column: &Column| match column.target() {
+        Some(Target::Parameter(index)) => Some(index),
+        _ => None,
+    };
+    let mut parameters: Vec<usize> = columns.iter().filter_map(parameter).collect();
+    parameters.dedup();
+    parameters
+}
+
 /// Scales of films: one for each record in which lengths have a known error.
 fn scales(task: &Task) -> impl Iterator<Item = Column> + '_ {
     let scaled = |(_, record): &(usize, &Record)| {

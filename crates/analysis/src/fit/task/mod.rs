@@ -42,7 +42,8 @@ pub struct Record {
     pub fixed: Vec<(usize, f64)>,
     /// Reading of the clock at which the model's independent variable is 0, where it is not varied, SI. `None`: for
     /// equations of motion in which the independent variable does not occur, the time of the first measured value of the
-    /// fitted part, so that initial values hold there; otherwise 0.
+    /// fitted part, so that initial values hold there. The same for a record that begins later after the clock's 0 than it lasts, if
+    /// other values of its numbers then give the same curve. Otherwise 0.
     pub origin: Option<f64>,
     /// Relative standard error common to all lengths of the record, such as that of the ruler in a film; `None` if unknown.
     /// If given, a factor of all lengths is fitted: [`super::Outcome::scales`].

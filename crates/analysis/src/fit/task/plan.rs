@@ -64,6 +64,8 @@ pub(crate) struct Layout {
     pub expressions: Vec<NodeId>,
     /// True if the model's 0 may lie at any reading of the clock.
     pub autonomous: bool,
+    /// One per record: true if its clock begins late and the model's 0 is moved to its beginning.
+    pub moved: Vec<bool>,
     /// True if the model has no values before its 0: equations of motion are not integrated back from their initial values.
     /// Exception: the origin is varied, and the system is at rest before it.
     pub forwards: bool,
@@ -73,12 +75,12 @@ impl Layout {
     /// Plans of all records with the points whose times are `inside`. The weight is 1/error, or 1, times the square root of
     /// the share.
     pub fn plans(&self, task: &Task, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
-        let plan = |record| {
-            let origin = self.fixed_origin(task, record);
+        let plan = |place: usize| {
+            let origin = self.fixed_origin(task, place);
             let earliest = self.earliest(origin);
-            self.plan_of(record, origin, |time| time >= earliest && inside(time))
+            self.plan_of(&task.records[place], origin, |time| time >= earliest && inside(time))
         };
-        task.records.iter().map(plan).collect()
+        (0..task.records.len()).map(plan).collect()
     }
 
     /// First reading of a record's clock at which the model has values, if its 0 is at `origin`.
@@ -87,20 +89,22 @@ impl Layout {
     }
 
     /// Reading of the clock at the model's 0, where it is not varied.
-    fn fixed_origin(&self, task: &Task, record: &Record) -> f64 {
+    fn fixed_origin(&self, task: &Task, place: usize) -> f64 {
+        let record = &task.records[place];
+        let moves = self.autonomous || self.moved.get(place).is_some_and(|moved| *moved);
         let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
         let first = times.filter(|time| task.covers(*time)).fold(f64::INFINITY, f64::min);
         match record.origin {
             Some(origin) => origin,
-            None if self.autonomous && first.is_finite() => first,
+            None if moves && first.is_finite() => first,
             None => 0.0,
         }
     }
 
     /// Measured values of an observation before the model has values, as (time, value), in the order of time.
     pub fn too_early(&self, task: &Task, record: usize, observation: usize) -> Vec<(f64, f64)> {
-        let record = &task.records[record];
         let earliest = self.earliest(self.fixed_origin(task, record));
+        let record = &task.records[record];
         let rows = record.observations[observation].rows().map(|(_, time, value)| (time, value));
         let mut early: Vec<(f64, f64)> = rows.filter(|(time, _)| *time < earliest).collect();
         early.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -110,7 +114,7 @@ impl Layout {
     /// Checks that where errors are given, all values in the fitted part have one.
     pub fn check_errors(&self, task: &Task) -> Result<(), FitError> {
         for (record, of_record) in task.records.iter().enumerate() {
-            let earliest = self.earliest(self.fixed_origin(task, of_record));
+            let earliest = self.earliest(self.fixed_origin(task, record));
             let fitted = |time: f64| time >= earliest && task.covers(time);
             for (observation, one) in of_record.observations.iter().enumerate().filter(|(_, one)| one.errors.is_some())
             {

@@ -69,7 +69,7 @@ impl Exchange {
             [a, b].into_iter().for_each(|column| bounds[column] = (start[column], start[column]));
             self.present = Some([a, b]);
             let plans = problem.plans.clone();
-            return Some(Window { problem, plans: &plans }.search_within(&start, bounds, Self::TRIALS));
+            return Some(Window { problem, plans: &plans }.search_holding(&start, bounds, Self::TRIALS));
         }
         None
     }

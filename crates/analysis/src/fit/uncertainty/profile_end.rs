@@ -64,7 +64,7 @@ impl End {
     pub fn new(problem: &Problem, centre: &Centre, index: usize, (unit, deviations): (f64, f64)) -> Self {
         let best = centre.best;
         let nowhere = !(unit != 0.0 && unit.is_finite()) || centre.dof == 0 || best.sum <= 0.0;
-        let (low, high) = problem.bounds[index];
+        let (low, high) = problem.open_bounds()[index];
         let bound = ((if unit > 0.0 { high } else { low }) - best.x[index]) / unit;
         Self {
             index,
@@ -89,7 +89,7 @@ impl End {
     /// Bounds and start of the search with the number held; `None` outside of its bounds.
     fn held(&mut self, problem: &Problem, centre: &Centre) -> Option<Vec<(f64, f64)>> {
         let value = self.value(centre);
-        let mut bounds = problem.bounds.clone();
+        let mut bounds = problem.open_bounds();
         let (low, high) = bounds[self.index];
         if !(value >= low && value <= high) {
             return None;
@@ -129,7 +129,7 @@ impl End {
             }
             None => match self.held(window.problem, centre) {
                 Some(bounds) => {
-                    self.search = Some(window.search_within(&self.others, bounds, TRIALS));
+                    self.search = Some(window.search_holding(&self.others, bounds, TRIALS));
                     return;
                 }
                 None => f64::INFINITY,

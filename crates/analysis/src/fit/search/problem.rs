@@ -88,7 +88,7 @@ impl Problem {
         let varies_origin = targets.contains(&Target::Origin);
         let forwards = curve.has_states() && !varies_origin;
         let layout = Layout { expressions, autonomous: model.is_autonomous(), forwards };
-        let plans = layout.plans(&task, |time| task.covers(time));
+        let plans = layout.plans(&task, false);
         check::points(&layout, &task, &plans, columns.iter().filter(|column| !column.is_scale()).count())?;
         let mut problem = Self {
             model: curve::bare(model),
@@ -110,9 +110,9 @@ impl Problem {
         Ok(problem)
     }
 
-    /// Points of all records whose times are `inside`.
-    pub fn plans_where(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
-        self.layout.plans(&self.task, inside)
+    /// All values of the records, also those that are not fitted.
+    pub fn whole_plans(&self) -> Vec<Plan> {
+        self.layout.plans(&self.task, true)
     }
 
     /// Number of independent fitted values.

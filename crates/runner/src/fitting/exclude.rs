@@ -96,7 +96,10 @@ fn read(text: &str) -> Result<Excluded<'_>, Refusal> {
         (None | Some(Some(_)), Some(first), Some(last)) if first <= last => {
             Ok(Excluded::Rows(record.and_then(number), first..=last))
         }
-        (None, None, None) if !text.trim().is_empty() => Ok(Excluded::Flagged(text.trim())),
+        // A column is called by its number as `#3`.
+        (None, None, None) if !text.trim().is_empty() && text.trim().parse::<usize>().is_err() => {
+            Ok(Excluded::Flagged(text.trim()))
+        }
         _ => Err(wrong()),
     }
 }

@@ -202,7 +202,9 @@ impl ShownFits<'_> {
             .map(|(index, _)| (Target::Parameter(index), choice_name(self.play, index).unwrap_or_default()))
             .collect();
         targets.extend(self.varies_clock().then(|| (Target::Origin, ZEROS[0].to_owned())));
-        let offsets = self.own_offsets().into_iter();
+        // An offset alone is no fit.
+        let wanted = !targets.is_empty() || setup.zeros[1] == Some(true);
+        let offsets = self.own_offsets().into_iter().filter(|_| wanted);
         targets.extend(offsets.map(|place| (Target::Offset(place), ZEROS[1].to_owned())));
         let shared = |name: &str| setup.is_same(name, true);
         // The search starts at the values of the sliders.

@@ -1,5 +1,6 @@
 //! Documents as theories of measured data.
 
+mod errors;
 mod exclude;
 mod fitted;
 mod json;

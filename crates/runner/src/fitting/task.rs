@@ -1,21 +1,21 @@
 //! Conversion of the settings of a fit to its task.
 
+use super::errors::{errors, errors_of_files, of_values};
 use super::exclude::excluded_rows;
 use super::offsets::default_offsets;
 use super::settings::FitSettings;
 use super::starts::Starts;
 use crate::names::Assignment;
-use crate::records::{Measured, find, nothing_between};
+use crate::records::{Measured, nothing_between};
 use crate::refusal::Refusal;
 use crate::settings::take_seat;
-use crate::values::{Reader, positive};
-use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
-use analysis::lookup::LookupError;
+use crate::values::Reader;
+use analysis::fit::{Record, Target, Task, Varied, observation};
 use analysis::origin::UnitOrigin;
 use document::Document;
 use program::{Compiled, Kind};
 use std::path::Path;
-use units::{Unit, Words, words};
+use units::{Unit, Words};
 
 /// A task, and the starts from which its fit is made.
 #[derive(Clone, Debug)]
@@ -233,13 +233,6 @@ fn record(
     Ok((record, columns))
 }
 
-/// Entries of a list of rows that belong to the values of an observed column: those of rows with a time and a value.
-fn of_values<T: Copy>(measured: &Measured, column: usize, rows: &[T]) -> Vec<T> {
-    let table = &measured.table;
-    let rows = rows.iter().zip(&table.columns[column].values).zip(table.times_of(column));
-    rows.filter(|((_, value), time)| value.is_finite() && time.is_finite()).map(|((row, _), _)| *row).collect()
-}
-
 /// Place of the observed quantity of which this is the name of the offset.
 fn offset_of(name: &str, observed: &[String]) -> Option<usize> {
     observed.iter().position(|observed| name == format!("{observed}_offset"))
@@ -303,74 +296,6 @@ fn listed_values(text: &str) -> Vec<&str> {
         c == ',' && depth == 0
     };
     text.split(separates).map(str::trim).collect()
-}
-
-/// `--error y=VALUE` or `--error y=COLUMN`. `data`: the files, each with the columns of its observations.
-fn errors(
-    reader: &mut Reader,
-    task: &mut Task,
-    (data, columns): (&[Measured], &[Vec<usize>]),
-    error: &Assignment,
-    observed: &[(String, Compiled)],
-) -> Result<(), Refusal> {
-    let Some(place) = observed.iter().position(|(name, _)| *name == error.name) else {
-        return Err(Refusal::unknown("observed quantity", &error.name, observed.iter().map(|(name, _)| name.as_str())));
-    };
-    for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
-        let observation: &mut Observation = &mut record.observations[place];
-        let called = |value: &String| match measured.table.column(value) {
-            Err(LookupError::Unknown) => Ok(None),
-            _ => {
-                find(&measured.name, &measured.table, value, &|name| format!("--error {}={name}", error.name)).map(Some)
-            }
-        };
-        let column = if error.value.parse::<f64>().is_ok() { None } else { called(&error.value)? };
-        let errors = match column {
-            Some(column) => column_errors(measured, column, columns[place], &observed[place].1.unit)?,
-            None => {
-                let what = format!("--error {}", error.name);
-                let unit = &observed[place].1.unit;
-                let value = positive(&what, reader.value(&what, &error.value, unit, &task.parameters)?)?;
-                vec![value; observation.values.len()]
-            }
-        };
-        observation.errors = Some(errors);
-    }
-    Ok(())
-}
-
-/// Uses the standard errors that the files contain for an observed quantity, as written by `meniscus track`, with a
-/// note.
-fn errors_of_files(
-    task: &mut Task,
-    (data, columns): (&[Measured], &[Vec<usize>]),
-    (place, name, unit): (usize, &str, &Unit),
-    note: &mut dyn FnMut(&Words),
-) -> Result<(), Refusal> {
-    for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
-        let Some(column) = measured.table.errors_of(columns[place]) else { continue };
-        record.observations[place].errors = Some(column_errors(measured, column, columns[place], unit)?);
-        let (file, called) = (&measured.name, measured.called(column));
-        note(&words!("{file}: the standard errors of {name} are those of its column {called}"));
-    }
-    Ok(())
-}
-
-/// Standard errors of the column `observed`, SI, one per row that has a time and a value.
-fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Unit) -> Result<Vec<f64>, Refusal> {
-    let table = &measured.table;
-    let own = &table.columns[column];
-    // Errors without a unit are in that of their values.
-    let unit =
-        table.columns[observed].unit.as_ref().filter(|of_values| of_values.dimension == unit.dimension).unwrap_or(unit);
-    if let Some(given) = own.unit.as_ref().filter(|given| given.dimension != unit.dimension) {
-        return Err(Refusal::request(format!(
-            "{}: {} is in {given}, and what is observed is in {unit}",
-            measured.name,
-            measured.called(column)
-        )));
-    }
-    Ok(of_values(measured, observed, &own.si(Some(unit))))
 }
 
 /// Varied number of this name: a parameter, `t_origin`, or `y_offset`.

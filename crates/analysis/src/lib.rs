@@ -1,6 +1,7 @@
 //! Analysis of measured data with models: tables and their import, data quality, derivatives, cycles, least squares with
 //! uncertainties, and the ranking of models.
 
+pub mod assumed_unit;
 mod bytes;
 pub mod conversion;
 pub mod csv;

@@ -99,6 +99,8 @@ pub enum UnitOrigin {
     Compared,
     /// The user.
     Person,
+    /// Nobody states it: it is assumed for the theories.
+    Assumed,
 }
 
 impl UnitOrigin {
@@ -115,13 +117,14 @@ impl UnitOrigin {
             Self::Clock => language.say("clock times, in seconds from the first row"),
             Self::Compared => language.say("from the time stamps beside it"),
             Self::Person => language.say("stated by you"),
+            Self::Assumed => language.say("assumed: the file states none"),
         };
         text.to_owned()
     }
 
     /// True if the file or the user states the unit.
     pub fn is_stated(&self) -> bool {
-        !matches!(self, Self::NotStated | Self::Unknown(_) | Self::Remark(_))
+        !matches!(self, Self::NotStated | Self::Unknown(_) | Self::Remark(_) | Self::Assumed)
     }
 
     /// Text in the place of the unit that is not a known unit.
@@ -145,6 +148,7 @@ impl UnitOrigin {
             Self::Clock => "clock",
             Self::Compared => "time stamps",
             Self::Person => "stated",
+            Self::Assumed => "assumed",
         }
     }
 }

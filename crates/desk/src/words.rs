@@ -26,6 +26,20 @@ pub(crate) fn how_to_repeat(language: Language, several: bool) -> &'static str {
     language.say("Made in the laboratory's page: open the document, drop the record, press Fit.")
 }
 
+/// Question for the unit of a column that theories declare in different units.
+pub(crate) fn unit_asked(language: Language, record: &str, column: &str, units: &str) -> String {
+    say!(
+        language,
+        "{record} states no unit of column {column}, and it can be {units}. Residuals in different units cannot be ranked: enter the \
+             unit in the table of the record, then rank again."
+    )
+}
+
+/// Legend entry of measured values that are left out of fits.
+pub(crate) fn left_out(language: Language, points: &str) -> String {
+    say!(language, "{points}, left out")
+}
+
 pub(crate) fn record(language: Language) -> &'static str {
     language.say("record")
 }

@@ -89,6 +89,8 @@ pub enum Style {
     Run(u8),
     /// Separate points: measured data.
     Points,
+    /// Separate faint points: measured data that are left out of fits.
+    Unused,
     /// Separate computed points, such as those of a Poincaré section: the more points, the smaller.
     Dots,
     /// Vertical bars from zero, centred on the horizontal values: a histogram.
@@ -98,7 +100,7 @@ pub enum Style {
 impl Style {
     /// True if it consists of separate points.
     pub fn is_of_points(self) -> bool {
-        matches!(self, Style::Points | Style::Dots)
+        matches!(self, Style::Points | Style::Unused | Style::Dots)
     }
 }
 

@@ -120,7 +120,7 @@ pub(crate) fn stroke(series: &Series<'_>) -> Stroke {
         Style::Line | Style::Points | Style::Dots | Style::Bars => {
             Stroke { ink: Ink::Series(series.colour), width: 2.0, dash: Dash::Solid }
         }
-        Style::Ghost => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },
+        Style::Ghost | Style::Unused => Stroke { ink: Ink::Ghost(series.colour), width: 1.25, dash: Dash::Solid },
         Style::Faded(number) => {
             let width = if series.colour == 0 { 1.75 } else { 1.25 };
             Stroke { ink: Ink::Faded(series.colour), width, dash: Dash::Pattern(number) }

@@ -158,7 +158,7 @@ fn label(program: &Program, language: Language, estimate: &Estimate) -> String {
         Some((name, "origin")) if !own && name == program.model.independent.name => {
             language.say("Reading of the clock at the start").to_owned()
         }
-        Some((name, "offset")) if !own => [language.say("Zero of the scale of "), &name.replace('\'', "′")].concat(),
+        Some((_, "offset")) if !own => language.say("Offset of the readings").to_owned(),
         _ => String::new(),
     }
 }
@@ -256,6 +256,26 @@ fn findings(report: &Report<'_>) -> Vec<String> {
             (!names.is_empty()).then(|| language.join(&names))
         };
         let prefix = of_record(Some(record), task);
+        for (observation, unit) in &one.assumed {
+            let Some(observation) = one.observations.get(*observation) else { continue };
+            let (name, declared) = (&observation.name, &observation.observed.unit);
+            let mut text = {
+                let unit = unit_text(&unit.text);
+                say!(language, "The record states no unit of {name}: its numbers are read in {unit}.")
+            };
+            if unit.to_si(1.0) != declared.to_si(1.0) {
+                let declared = unit_text(&declared.text);
+                text += &say!(
+                    language,
+                    " In {declared}, the unit of the theory, they would be out of proportion to its run."
+                );
+            }
+            sentences.push(prefix.clone() + &text);
+        }
+        if let count @ 1.. = one.excluded_count() {
+            let text = say!(language, "Values left out by hand: {count}. They are drawn, and count for nothing.");
+            sentences.push(prefix.clone() + &text);
+        }
         let fits = || outcome.observations.iter().filter(|fit| fit.record == record);
         if let Some(names) = names(&|place| one.observations[place].errors.is_some()) {
             let text = say!(

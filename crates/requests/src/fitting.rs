@@ -9,7 +9,8 @@ use crate::settings::seat;
 use crate::table::Columns;
 use analysis::fit::Loss;
 use engine::table::Column;
-use runner::fitting::{FitSettings, Fitted, Theory, fit_as_json, fit_as_text, task};
+use runner::Refusal;
+use runner::fitting::{FitSettings, Fitted, Theory, fit_as_json, fit_as_text, settle_units, task};
 use runner::names::{Assignment, Observe, observe};
 use runner::records::{Measured, measured};
 use runner::{ColumnValues, TableColumn};
@@ -64,6 +65,7 @@ pub struct Asked {
     loss: String,
     begin: Option<Given>,
     until: Option<Given>,
+    exclude: Vec<String>,
 }
 
 /// A fit that is asked for.
@@ -92,7 +94,7 @@ pub fn fit(host: &dyn Host, opened: &Opened, request: &str, numbers: &[Vec<f64>]
         return Err(Fault::Value(message.to_owned()));
     }
     let mut theory = opened.theory().clone();
-    let data = records(host, &data, numbers, (&theory, &settings))?;
+    let data = records(host, &data, numbers, (std::slice::from_mut(&mut theory), &settings))?;
     let task = task(&mut theory.document, &data, &settings, &mut |_| {})?;
     let fitted = Fitted::complete(theory, task, profile, &mut |_| {})?;
     let mut buffers = Vec::new();
@@ -130,13 +132,15 @@ fn curves(fitted: &Fitted) -> impl Iterator<Item = runner::Table> {
     })
 }
 
-/// Reads records for a theory.
+/// Reads records for theories, of which the first says what is independent.
 pub fn records(
     host: &dyn Host,
     records: &[Record],
     arrays: &[Vec<f64>],
-    (theory, settings): (&Theory, &FitSettings),
+    (theories, settings): (&mut [Theory], &FitSettings),
 ) -> Result<Vec<Measured>, Fault> {
+    let first = theories.first().ok_or_else(|| Refusal::request("there are no documents"))?;
+    let stated = settings.stated(&first.document);
     let one = |(place, record): (usize, &Record)| {
         let (name, bytes) = match record {
             Record::File(path) => (path.display().to_string(), host.record(path)?),
@@ -146,9 +150,11 @@ pub fn records(
                 (format!("record {}", place + 1), csv(&columns)?.into_bytes())
             }
         };
-        Ok(measured(name, bytes, settings.stated(&theory.document))?)
+        Ok::<_, Fault>(measured(name, bytes, stated)?)
     };
-    records.iter().enumerate().map(one).collect()
+    let mut data: Vec<Measured> = records.iter().enumerate().map(one).collect::<Result<_, _>>()?;
+    settle_units(theories, &mut data, settings)?;
+    Ok(data)
 }
 
 /// Columns as the text of a file. Numbers read back as the same bits; NaN is an empty cell.
@@ -190,6 +196,7 @@ impl Asked {
             loss: loss(&self.loss)?,
             from: text(self.begin.as_ref()),
             until: text(self.until.as_ref()),
+            exclude: names(&self.exclude),
         })
     }
 }

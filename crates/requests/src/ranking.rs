@@ -7,8 +7,7 @@ use crate::host::Host;
 use crate::opened::Opened;
 use crate::reply::Reply;
 use analysis::fit::Outcome;
-use runner::Refusal;
-use runner::fitting::{Contender, ranking_as_json};
+use runner::fitting::{Contender, Theory, ranking_as_json};
 use serde::Deserialize;
 
 /// A ranking that is asked for.
@@ -24,13 +23,13 @@ struct Request {
 pub fn rank(host: &dyn Host, documents: &[&Opened], request: &str, numbers: &[Vec<f64>]) -> Result<Reply, Fault> {
     let Request { data, settings, predict_from } = read(request)?;
     let (settings, predict_from) = (settings.settings()?, text(predict_from.as_ref()));
-    let Some(first) = documents.first() else { return Err(Refusal::request("there are no documents").into()) };
-    let data = records(host, &data, numbers, (first.theory(), &settings))?;
-    let contend = |document: &&Opened| {
+    let mut theories: Vec<Theory> = documents.iter().map(|document| document.theory().clone()).collect();
+    let data = records(host, &data, numbers, (&mut theories, &settings))?;
+    let contend = |theory: Theory| {
         let asked = (&settings, predict_from.as_deref());
-        Contender::complete(document.theory().clone(), &data, asked, &mut |_| {}, &mut |_| {})
+        Contender::complete(theory, &data, asked, &mut |_| {}, &mut |_| {})
     };
-    let contenders: Vec<Contender> = documents.iter().map(contend).collect::<Result<_, _>>()?;
+    let contenders: Vec<Contender> = theories.into_iter().map(contend).collect::<Result<_, _>>()?;
     let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();
     let ranked = analysis::fit::rank(&outcomes);
     let mut summaries = ranking_as_json(&contenders, &ranked, &data);

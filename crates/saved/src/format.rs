@@ -35,6 +35,9 @@ pub struct Record {
     /// True values of parameters by name, if the data are simulated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub truth: Option<Vec<(String, Number)>>,
+    /// Rows that are left out of fits, from 0.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub excluded: Vec<usize>,
     /// Values of parameters in this record, by name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub known: Vec<(String, Number)>,
@@ -170,6 +173,9 @@ pub struct Part {
     /// Stated standard errors of columns.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub errors: Vec<StatedError>,
+    /// Rows that were left out, from 0.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub excluded: Vec<usize>,
 }
 
 /// Standard errors stated for the values of a column, by one of both fields.

@@ -23,8 +23,10 @@ pub struct ObservationFit {
     pub measured: Vec<f64>,
     /// Values of the model; NaN where it has none.
     pub fitted: Vec<f64>,
-    /// True for values in the fitted part.
+    /// True for values that were fitted.
     pub inside: Vec<bool>,
+    /// True for values that a person has left out.
+    pub excluded: Vec<bool>,
     /// Number of leading rows before the initial values of the equations of motion: the model predicts nothing there.
     pub early: usize,
     /// Root mean square of measured minus fitted in the fitted part, SI.
@@ -55,7 +57,7 @@ impl Outside {
 
 impl ObservationFit {
     /// Number of values and root mean square of measured minus fitted in a part of the rows. `wanted` takes the time of a
-    /// row and true if the row is in the fitted part. Rows before the initial values are left out.
+    /// row and true if the row is in the fitted part. Rows before the initial values and excluded ones are left out.
     pub fn error_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Outside {
         let part = self.residuals_where(wanted);
         let squares = part.iter().fold(0.0, |sum, residual| sum + residual * residual);
@@ -68,10 +70,10 @@ impl ObservationFit {
     }
 
     fn residuals_where(&self, wanted: impl Fn(f64, bool) -> bool) -> Vec<f64> {
-        let rows = self.times.iter().zip(&self.inside).zip(self.measured.iter().zip(&self.fitted));
+        let rows = self.times.iter().zip(&self.inside).zip(self.measured.iter().zip(&self.fitted)).zip(&self.excluded);
         rows.skip(self.early)
-            .filter(|((time, inside), _)| wanted(**time, **inside))
-            .map(|(_, (measured, fitted))| measured - fitted)
+            .filter(|(((time, inside), _), excluded)| !**excluded && wanted(**time, **inside))
+            .map(|((_, (measured, fitted)), _)| measured - fitted)
             .collect()
     }
 
@@ -83,6 +85,7 @@ impl ObservationFit {
             self.measured.push(value);
             self.fitted.push(f64::NAN);
             self.inside.push(false);
+            self.excluded.push(false);
         }
     }
 

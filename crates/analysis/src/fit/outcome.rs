@@ -23,6 +23,15 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use units::Unit;
 
+/// Starts that a person has given to a fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Scan {
+    /// Number of starts from each of which the fit was made.
+    pub starts: usize,
+    /// Number of these fits that ended at the answer.
+    pub ended: usize,
+}
+
 /// Result of a fit. All numbers are SI; units for display are given separately.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Outcome {
@@ -30,6 +39,8 @@ pub struct Outcome {
     pub converged: bool,
     /// Number of starts that were searched; 1 for a fit resumed from a known answer ([`super::Fit::again`]).
     pub starts: usize,
+    /// Starts given by a person, if there were several.
+    pub scan: Option<Scan>,
     /// Another minimum that fits as well within the noise, if the search has found one.
     pub rival: Option<Rival>,
     /// Period of an oscillation that the residuals of a model with several frequencies hold, SI: another minimum may exist.
@@ -180,6 +191,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
     Outcome {
         converged: course.converged,
         starts: course.starts,
+        scan: None,
         rival: course.rival.clone(),
         unexplained: course.unexplained,
         improved: course.improved,
@@ -223,7 +235,7 @@ fn origins(problem: &Problem, best: &Search) -> Vec<f64> {
 
 /// Measured and fitted values of every observation, in and outside the fitted part.
 fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<ObservationFit> {
-    let whole = problem.plans_where(|_| true);
+    let whole = problem.whole_plans();
     let count = |plans: &[Plan]| plans.iter().map(|plan| plan.points.len()).sum::<usize>();
     // If no value lies outside, the residuals of the search cover all values.
     let plain = problem.task.loss == Loss::Squares;
@@ -252,6 +264,7 @@ fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<Obs
                 measured: Vec::with_capacity(one.times.len()),
                 fitted: Vec::with_capacity(one.times.len()),
                 inside: Vec::with_capacity(one.times.len()),
+                excluded: Vec::with_capacity(one.times.len()),
                 early: 0,
                 rmse: 0.0,
                 r2: 0.0,
@@ -265,7 +278,8 @@ fn observations(problem: &mut Problem, best: &Search, finished: bool) -> Vec<Obs
                 fit.times.push(time);
                 fit.measured.push(point.value);
                 fit.fitted.push(point.value + residual / point.weight);
-                fit.inside.push(task.covers(time));
+                fit.inside.push(task.covers(time) && !point.excluded);
+                fit.excluded.push(point.excluded);
             }
             fit.summarise();
             fits.push(fit);

@@ -25,7 +25,7 @@ pub struct Trace {
 /// Curves of all observations at the end of the search `best`, by record and observation. Each has `count` points, at least
 /// 2.
 pub(super) fn traces(problem: &mut Problem, best: &Search, covariance: &Covariance, count: usize) -> Vec<Trace> {
-    let whole = problem.plans_where(|_| true);
+    let whole = problem.whole_plans();
     let mut traces = Vec::new();
     for (record, plan) in whole.iter().enumerate() {
         let (Some(&first), Some(&last)) = (plan.times.first(), plan.times.last()) else { continue };
@@ -54,7 +54,16 @@ fn values_at(
     times: &[f64],
 ) -> (Vec<f64>, Jacobian) {
     // With a measured value of 0 the residual is the value of the model.
-    let point = |row| Point { row, observation, value: 0.0, weight: 1.0, trust: 1.0, share: 1.0, measured: true };
+    let point = |row| Point {
+        row,
+        observation,
+        value: 0.0,
+        weight: 1.0,
+        trust: 1.0,
+        share: 1.0,
+        measured: true,
+        excluded: false,
+    };
     let points = (0..times.len()).map(point).collect();
     let plan = Plan { times: times.to_vec(), points, expressions: plan.expressions.clone(), origin: plan.origin };
     let mut values = vec![f64::NAN; times.len()];

@@ -16,11 +16,14 @@ Examples:
   meniscus fit linear.md *.txt --observe y --share L --vary L,gamma,y_0,v_0
   meniscus fit linear.md run3.txt --observe y --error y='1 [mm]' --profile
   meniscus fit linear.md run3.txt --observe y --loss tukey        outliers count less
+  meniscus fit linear.md run3.txt --observe y --exclude 17,20..30 --exclude t=1.5..2
+  meniscus fit driven.md run3.txt --observe y --start 'w=3..9 step 1'  the best of seven searches
   meniscus fit linear.md run3.txt --observe y --output report.html
 
 DATA is text as Tracker, loggers and spreadsheets write it, XLSX, XLS or ODS, or a project of Tracker (TRK, TRZ);
 docs/data.md has the rules. NAME is a parameter of the document, or t_origin (the clock's reading at the model's 0), or
-y_offset (the zero of the scale of y).";
+y_offset (the offset of the readings of y). Without --vary the offset is varied, too, unless a varied parameter is such a
+constant; --fix y_offset=0 leaves it out.";
 
 /// Shown after the help of `meniscus rank`.
 pub const RANK_EXAMPLES: &str = "\
@@ -50,7 +53,7 @@ pub struct Common {
     #[arg(long, value_name = "N", value_parser = seat)]
     pub seat: Option<Seat>,
 
-    /// Parameters to vary, also t_origin and y_offset [default: as the document's front matter says]
+    /// Parameters to vary, also t_origin and y_offset [default: as the document's front matter says, and the offset]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub vary: Vec<String>,
 
@@ -62,7 +65,7 @@ pub struct Common {
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub fix: Vec<Assignment>,
 
-    /// Begin the search here
+    /// Begin the search here; of a list w=3,5,8 or a range w='3..9 step 1' the best search counts
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub start: Vec<Assignment>,
 
@@ -86,6 +89,10 @@ pub struct Common {
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub until: Option<String>,
 
+    /// Leave out rows, 17 or 20..30 (2:20..30 of the second record), a range of a column, t=1.5..2, or a column that is not 0 in them
+    #[arg(long, value_name = "ROWS", value_delimiter = ',')]
+    pub exclude: Vec<String>,
+
     /// The form of what is printed
     #[arg(long, value_enum, default_value_t = Form::Text)]
     pub format: Form,
@@ -108,6 +115,7 @@ impl From<&Common> for FitSettings {
             loss: arguments.loss.into(),
             from: arguments.from,
             until: arguments.until,
+            exclude: arguments.exclude,
         }
     }
 }

@@ -3,8 +3,9 @@
 use super::arguments::Common;
 use crate::handing::write::{now, packed};
 use analysis::fit::{Estimate, Outcome, Record};
+use analysis::origin::UnitOrigin;
 use class::verify::{DataFile, Recomputation, project_of_files, write_varied};
-use runner::fitting::Fitted;
+use runner::fitting::{Fitted, excluded_rows};
 use runner::records::Measured;
 use saved::Number;
 use saved::carried::{carry, carry_nothing};
@@ -91,11 +92,15 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
     let (task, outcome) = (&fitted.task, &fitted.outcome);
     let numbers = |values: &[f64]| values.iter().copied().map(Number).collect();
     let independent = &fitted.theory.document.program.model.independent;
-    let parts = task.records.iter().zip(data).zip(columns);
-    let part = |((record, measured), columns): ((&Record, &Measured), &Vec<usize>)| {
+    let excluded = excluded_rows(data, &arguments.exclude).ok()?;
+    let parts = task.records.iter().zip(data).zip(columns).zip(&excluded);
+    let part = |(((record, measured), columns), excluded): (((&Record, &Measured), &Vec<usize>), &Vec<bool>)| {
         let unit_of = |column: usize, else_in: &Unit| {
             let own = measured.table.columns.get(column).and_then(|column| column.unit.clone());
             own.unwrap_or_else(|| else_in.clone()).text
+        };
+        let stated = |column: usize| {
+            measured.table.columns.get(column).is_some_and(|own| own.origin.unit != UnitOrigin::Assumed)
         };
         let mut uses: Vec<Column> =
             (0..measured.table.columns.len()).map(|column| Column { column, ..Column::default() }).collect();
@@ -103,9 +108,9 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
         for (observation, &column) in record.observations.iter().zip(columns) {
             let clock = measured.table.columns.get(column)?.independent;
             let (quantity, unit) = (independent.name.clone(), unit_of(clock, &independent.unit));
-            *uses.get_mut(clock)? = Column { column: clock, quantity, unit, stated: true, fitted: false };
+            *uses.get_mut(clock)? = Column { column: clock, quantity, unit, stated: stated(clock), fitted: false };
             let (quantity, unit) = (observation.name.clone(), unit_of(column, &observation.observed.unit));
-            *uses.get_mut(column)? = Column { column, quantity, unit, stated: true, fitted: true };
+            *uses.get_mut(column)? = Column { column, quantity, unit, stated: stated(column), fitted: true };
             if let Some(stated) = arguments.error.iter().find(|one| one.name == observation.name) {
                 let all = observation.errors.as_deref().unwrap_or_default();
                 let value = all.first().filter(|first| all.iter().all(|one| one == *first)).copied();
@@ -115,7 +120,8 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
         }
         let fixed = record.fixed.iter().map(|&(index, value)| (index, Number(value))).collect();
         let origin = record.origin.map(Number);
-        Some(format::Part { origin, fixed, columns: uses, errors, ..format::Part::default() })
+        let excluded = excluded.iter().enumerate().filter(|(_, excluded)| **excluded).map(|(row, _)| row).collect();
+        Some(format::Part { origin, fixed, columns: uses, errors, excluded, ..format::Part::default() })
     };
     let rival = outcome.rival.as_ref();
     let theory = &fitted.theory;

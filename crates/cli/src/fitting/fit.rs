@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::terminal::Terminal;
 use crate::terminal::output;
 use base64::Engine as _;
-use runner::fitting::{FitSettings, Theory, fit_as_json, fit_as_text, task};
+use runner::fitting::{FitSettings, Theory, fit_as_json, fit_as_text, settle_units, task};
 use runner::records::{Measured, columns_as_text};
 use std::path::{Path, PathBuf};
 use units::Language;
@@ -24,7 +24,7 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         ));
     }
     let mut theory = theory::theory(&arguments.document, terminal)?;
-    let data = read(&arguments.data, &arguments.common, &theory, terminal)?;
+    let data = read(&arguments.data, &arguments.common, std::slice::from_mut(&mut theory), terminal)?;
     let task = task(&mut theory.document, &data, &(&arguments.common).into(), &mut theory::note(terminal))?;
     let fitted = theory::complete(theory, task, arguments.profile)?;
     let notes = notes(&data, &fitted.theory);
@@ -46,17 +46,19 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     output::print(&shown)
 }
 
-/// Reads the data for a theory. The description of their columns is printed unless the format is JSON, which contains
+/// Reads the data for theories, of which the first says what is independent. The description of their columns is printed unless the format is JSON, which contains
 /// it.
 pub fn read(
     paths: &[PathBuf],
     arguments: &Common,
-    theory: &Theory,
+    theories: &mut [Theory],
     terminal: Terminal,
 ) -> Result<Vec<Measured>, Failure> {
     let settings = FitSettings::from(arguments);
-    let stated = settings.stated(&theory.document);
-    let data: Vec<Measured> = paths.iter().map(|path| data::read(path, stated)).collect::<Result<_, _>>()?;
+    let Some(first) = theories.first() else { return Err(Failure::request("there is no theory")) };
+    let stated = settings.stated(&first.document);
+    let mut data: Vec<Measured> = paths.iter().map(|path| data::read(path, stated)).collect::<Result<_, _>>()?;
+    settle_units(theories, &mut data, &settings)?;
     if arguments.format == Form::Text {
         for one in &data {
             terminal.print(&columns_as_text(one));

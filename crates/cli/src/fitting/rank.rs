@@ -23,10 +23,9 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     if kind == Some(FileKind::Svg) {
         return Err(Failure::with_hint("a ranking is no figure", "end --output in .html, .xlsx or .csv"));
     }
-    let theories: Vec<Theory> =
+    let mut theories: Vec<Theory> =
         arguments.models.iter().map(|path| theory::theory(path, terminal)).collect::<Result<_, _>>()?;
-    let Some(first) = theories.first() else { return Err(Failure::request("there is no theory")) };
-    let data = read(&arguments.data, &arguments.common, first, terminal)?;
+    let data = read(&arguments.data, &arguments.common, &mut theories, terminal)?;
     if arguments.common.format == Form::Text {
         // The table of theories does not contain these findings.
         for finding in data.iter().flat_map(|one| &one.findings) {

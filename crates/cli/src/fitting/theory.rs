@@ -3,10 +3,9 @@
 use crate::failure::Failure;
 use crate::load;
 use crate::terminal::Terminal;
-use analysis::fit::Task;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use runner::Loaded;
-use runner::fitting::{Fitted, Theory};
+use runner::fitting::{FitTask, Fitted, Theory};
 use std::path::Path;
 use std::time::Duration;
 use units::Words;
@@ -28,7 +27,7 @@ pub fn note(terminal: Terminal) -> impl FnMut(&Words) {
 }
 
 /// Runs a fit to its end. Shows progress on a terminal.
-pub fn complete(theory: Theory, task: Task, with_profiles: bool) -> Result<Fitted, Failure> {
+pub fn complete(theory: Theory, task: FitTask, with_profiles: bool) -> Result<Fitted, Failure> {
     let progress = progress(&theory.document.program.title);
     let fitted = Fitted::complete(theory, task, with_profiles, &mut |trials| progress.set_position(trials as u64));
     progress.finish_and_clear();

@@ -165,7 +165,8 @@ impl ShownFits<'_> {
             }
         });
         let count = self.play.model().parameters.len();
-        let zeros = words::zeros(self.play.basis().language()).into_iter().zip(self.varied_zeros()).enumerate();
+        let varied_zeros = [self.varies_clock(), !self.own_offsets().is_empty()];
+        let zeros = words::zeros(self.play.basis().language()).into_iter().zip(varied_zeros).enumerate();
         let zeros = zeros.map(|(place, (label, varied))| ChoiceView {
             index: count + place,
             name: String::new(),
@@ -200,11 +201,11 @@ impl ShownFits<'_> {
         let mut targets: Vec<(Target, String)> = targets
             .map(|(index, _)| (Target::Parameter(index), choice_name(self.play, index).unwrap_or_default()))
             .collect();
-        for ((varied, target), name) in
-            self.varied_zeros().into_iter().zip([Target::Origin, Target::Offset(0)]).zip(ZEROS)
-        {
-            targets.extend(varied.then(|| (target, name.to_owned())));
-        }
+        targets.extend(self.varies_clock().then(|| (Target::Origin, ZEROS[0].to_owned())));
+        // An offset alone is no fit.
+        let wanted = !targets.is_empty() || setup.zeros[1] == Some(true);
+        let offsets = self.own_offsets().into_iter().filter(|_| wanted);
+        targets.extend(offsets.map(|place| (Target::Offset(place), ZEROS[1].to_owned())));
         let shared = |name: &str| setup.is_same(name, true);
         // The search starts at the values of the sliders.
         let varied =
@@ -212,10 +213,10 @@ impl ShownFits<'_> {
         targets.into_iter().map(varied).collect()
     }
 
-    /// The zero of the scale as a varied number.
-    pub(super) fn varied_zero(self) -> Varied {
+    /// The offset of the readings of the observation at this place as a varied number.
+    pub(super) fn varied_offset(self, place: usize) -> Varied {
         let shared = self.fits.setup.is_same(ZEROS[1], true);
-        Varied { target: Target::Offset(0), shared, ..Varied::parameter(0) }
+        Varied { target: Target::Offset(place), shared, ..Varied::parameter(0) }
     }
 
     /// Names of the loss functions, and the index of the chosen one.

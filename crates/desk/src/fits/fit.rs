@@ -36,6 +36,8 @@ pub(crate) struct Part {
     pub fixed: Vec<(usize, f64)>,
     /// Standard errors stated on the command line, by column.
     pub errors: Vec<(usize, StatedError)>,
+    /// Rows of the record that are left out, ascending.
+    pub excluded: Vec<usize>,
 }
 
 /// Standard errors that replace those of the file.

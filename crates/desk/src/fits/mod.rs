@@ -11,6 +11,7 @@ pub(crate) mod reporting;
 mod results;
 mod running;
 mod setup;
+mod shared_units;
 mod stored;
 mod task;
 mod theory;

@@ -46,7 +46,7 @@ impl Fits {
         let varied = shown.varied();
         let definition = Definition {
             file: file.to_owned(),
-            parts: shown.parts(document, &varied, true),
+            parts: shown.parts(document, &varied, true, &[]),
             varied,
             parameters: visible(play.model(), play.course().parameters()),
             window: self.setup.window,
@@ -57,17 +57,21 @@ impl Fits {
     }
 
     /// Starts fits of several documents to the records that take part. Each document states its varied parameters. The
-    /// settings of shared and per-record values hold in every theory with a parameter of that name. The zero of the
-    /// scale is varied for records of films in every theory that needs it.
+    /// settings of shared and per-record values hold in every theory with a parameter of that name. The offset of the readings
+    /// is varied in every theory that has no constant of its own. All theories read a column in the same unit.
     ///
     /// # Errors
-    /// No column is fitted.
+    /// No column is fitted, or the unit of a column is asked for.
     pub fn begin_ranking(
         &mut self,
         data: FitData<'_>,
         theories: Vec<(String, Document)>,
     ) -> (Result<(), Refusal>, Changes) {
         let shown = self.shown(data);
+        let units = match shown.shared_units(&theories) {
+            Ok(units) => units,
+            Err(refusal) => return (Err(refusal), Changes::NONE),
+        };
         let job = |(file, document): (String, Document)| {
             let parameters = &document.program.model.parameters;
             let shared =
@@ -75,10 +79,9 @@ impl Fits {
             let varied =
                 document.program.vary.iter().map(|&index| Varied { shared: shared(index), ..Varied::parameter(index) });
             let mut varied: Vec<Varied> = varied.collect();
-            let parts = shown.parts(&document, &varied, false);
-            if shown.varied_zero_of(&document.program.model, &varied, &parts) {
-                varied.push(shown.varied_zero());
-            }
+            let parts = shown.parts(&document, &varied, false, &units);
+            let offsets = shown.offsets_of(&document.program.model, &varied, &parts);
+            varied.extend(offsets.into_iter().map(|place| shown.varied_offset(place)));
             let definition = Definition {
                 file,
                 parts,

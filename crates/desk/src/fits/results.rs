@@ -1,6 +1,6 @@
 //! Results of fits: list, ranking, details.
 
-use crate::fits::fit::Fitted;
+use crate::fits::fit::{Fitted, Part};
 use crate::fits::{Fits, ShownFits};
 use crate::removed::Removed;
 use crate::{Announcement, Changes, number, words};
@@ -326,10 +326,15 @@ impl Fitted {
             && varied(self) == varied(other)
     }
 
-    /// True if both fits have the same records, columns, window and loss, so that they can be ranked together.
+    /// True if both fits have the same records, columns in the same units, rows, window and loss, so that they can be ranked
+    /// together.
     pub fn same_values(&self, other: &Self) -> bool {
+        let scales = |part: &Part| -> Vec<f64> {
+            part.uses.iter().filter(|used| used.fitted).map(|used| used.meaning.unit.to_si(1.0)).collect()
+        };
         let values = |fit: &Self| {
-            let records: Vec<u32> = fit.definition.parts.iter().map(|part| part.record).collect();
+            let parts = fit.definition.parts.iter();
+            let records: Vec<_> = parts.map(|part| (part.record, scales(part), part.excluded.clone())).collect();
             let columns = fit.outcome.observations.iter().map(|one| (one.record, one.name.clone()));
             (records, fit.definition.window, fit.definition.loss, columns.collect::<Vec<_>>())
         };

@@ -89,7 +89,8 @@ fn read_part(records: &Records, saved: &format::Part, names: &[(u32, String)]) -
     let fixed = saved.fixed.iter().map(|&(index, Number(value))| (index, value)).collect();
     let origin = saved.origin.map(|Number(origin)| origin);
     let errors = saved.errors.iter().filter_map(read_error).collect();
-    Some(Part { record: record.id(), name: record.name().to_owned(), uses, origin, fixed, errors })
+    let excluded = saved.excluded.clone();
+    Some(Part { record: record.id(), name: record.name().to_owned(), uses, origin, fixed, errors, excluded })
 }
 
 /// Collector of the fits to store.
@@ -144,6 +145,7 @@ fn task(definition: &Definition, records: &[(u32, String)]) -> Option<format::Ta
             fixed: part.fixed.iter().map(|&(index, value)| (index, Number(value))).collect(),
             columns: write_uses(part.uses.iter().enumerate()),
             errors: part.errors.iter().map(write_error).collect(),
+            excluded: part.excluded.clone(),
         })
     };
     Some(format::Task {

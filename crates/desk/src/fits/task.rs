@@ -2,6 +2,7 @@
 
 use crate::fits::ShownFits;
 use crate::fits::fit::{Job, Part, StatedError};
+use crate::fits::shared_units::ColumnUnit;
 use crate::records::recognise::observed;
 use crate::records::record::Record;
 use crate::records::series::turn;
@@ -10,26 +11,44 @@ use crate::words::fit_error;
 use crate::{Refusal, words};
 use analysis::fit::{FitError, Observation, Task, Varied};
 use document::Document;
+use units::Unit;
 
 impl ShownFits<'_> {
     /// Participation of each record in a fit of `document`. `own`: true if it is the open document; otherwise the
-    /// columns are recognised for it.
-    pub(super) fn parts(self, document: &Document, varied: &[Varied], own: bool) -> Vec<Part> {
+    /// columns are recognised for it. `units`: those that hold for all theories.
+    pub(super) fn parts(self, document: &Document, varied: &[Varied], own: bool, units: &[ColumnUnit]) -> Vec<Part> {
         let taking_part = self.taking_part();
         let part = |record: &Record| {
             let (uses, origin) = if own {
                 let found = record.fitted_origin().filter(|origin| origin.found);
                 (record.uses().to_vec(), found.map(|origin| origin.reading))
             } else {
-                let mut record = record.clone();
-                record.take_for(document);
-                (record.uses().to_vec(), None)
+                let mut own = record.clone();
+                own.take_for(document);
+                let mut uses = own.uses().to_vec();
+                for (_, column, unit) in units.iter().filter(|(id, ..)| *id == record.id()) {
+                    if let Some(used) =
+                        uses.get_mut(*column).filter(|used| used.meaning.unit.dimension == unit.dimension)
+                    {
+                        used.meaning.unit = unit.clone();
+                    }
+                }
+                (uses, None)
             };
             let fixed = match taking_part.len() {
                 1 => Vec::new(),
                 _ => self.fits.setup.fixed(&document.program.model, varied, record),
             };
-            Part { record: record.id(), name: record.name().to_owned(), uses, origin, fixed, errors: Vec::new() }
+            let excluded = record.excluded().iter().copied().collect();
+            Part {
+                record: record.id(),
+                name: record.name().to_owned(),
+                uses,
+                origin,
+                fixed,
+                errors: Vec::new(),
+                excluded,
+            }
         };
         taking_part.iter().filter_map(|id| self.records.get(*id)).map(part).collect()
     }
@@ -50,7 +69,7 @@ impl ShownFits<'_> {
                 let why = format!("{}, {}: {}.", record.name(), used.meaning.quantity, no_scale(language));
                 return Err(Refusal::Fit { why });
             }
-            let observations = observations(record, part, model);
+            let (observations, columns) = observations(record, part, model);
             if observations.is_empty() && definition.parts.len() > 1 {
                 let why = format!(
                     "{}: {}",
@@ -66,6 +85,8 @@ impl ShownFits<'_> {
                 fixed,
                 origin,
                 scale_error: record.table().scale_error,
+                excluded: excluded(record, part, &columns, model),
+                assumed: assumed(record, part, &columns),
             });
         }
         let parameters = definition.parameters.iter().zip(&model.parameters);
@@ -81,8 +102,27 @@ impl ShownFits<'_> {
     }
 }
 
-/// Observations of the fitted columns whose quantity the model has.
-fn observations(record: &Record, part: &Part, model: &program::Model) -> Vec<Observation> {
+/// One list per fitted column: true for values of rows that are left out. Empty if there are none.
+fn excluded(record: &Record, part: &Part, columns: &[usize], model: &program::Model) -> Vec<Vec<bool>> {
+    if part.excluded.is_empty() {
+        return Vec::new();
+    }
+    let independent = &model.independent.name;
+    let marks = |column: &usize| record.marks_as(&part.uses, *column, independent, &part.excluded).unwrap_or_default();
+    columns.iter().map(marks).collect()
+}
+
+/// Fitted columns whose units are assumed, by their places, with these units.
+fn assumed(record: &Record, part: &Part, columns: &[usize]) -> Vec<(usize, Unit)> {
+    let unit = |(place, column): (usize, &usize)| {
+        let used = part.uses.get(*column).filter(|used| !used.meaning.unit.text.is_empty())?;
+        record.assumes_unit(&part.uses, *column).then(|| (place, used.meaning.unit.clone()))
+    };
+    columns.iter().enumerate().filter_map(unit).collect()
+}
+
+/// Observations of the fitted columns whose quantity the model has, and these columns.
+fn observations(record: &Record, part: &Part, model: &program::Model) -> (Vec<Observation>, Vec<usize>) {
     let uses = &part.uses;
     let independent = &model.independent.name;
     let mut followed: Vec<usize> = Vec::new();
@@ -113,5 +153,5 @@ fn observations(record: &Record, part: &Part, model: &program::Model) -> Vec<Obs
         }
         observations.push(Observation { name: name.clone(), observed, times, values, errors, derived_from });
     }
-    observations
+    (observations, followed)
 }

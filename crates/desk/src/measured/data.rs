@@ -18,6 +18,8 @@ pub(crate) struct Measured {
     pub values: Vec<f64>,
     /// Standard errors of the values, not finite if missing; empty if the record has no such column.
     pub errors: Vec<f64>,
+    /// True for values that are left out of fits, one per value; empty if none are.
+    pub excluded: Vec<bool>,
     /// Longest interval between two times that is not a gap.
     pub pause: f64,
 }
@@ -31,6 +33,11 @@ pub(crate) struct Residuals {
 }
 
 impl Measured {
+    /// True if the value of this row is left out of fits.
+    pub fn excludes(&self, row: usize) -> bool {
+        self.excluded.get(row).copied().unwrap_or(false)
+    }
+
     /// Value at a time, linearly interpolated between its neighbours; `None` in a gap and outside the data.
     pub fn at(&self, time: f64) -> Option<f64> {
         let next = self.times.partition_point(|&at| at < time);

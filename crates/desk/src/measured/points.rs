@@ -5,10 +5,12 @@ use crate::measured::data::{Measured, Residuals};
 use crate::records::Records;
 use crate::records::recognise::observed;
 use crate::records::series::turn;
+use crate::words;
 use document::Document;
 use engine::Readings;
 use play::{Play, Points, points_colour, symbol};
 use program::{Curve, Drawing};
+use units::Language;
 
 /// Maximum length of a record's name in a legend, in characters.
 const LONGEST_NAME: usize = 24;
@@ -39,12 +41,29 @@ impl MeasuredData {
                     let errors = record.errors_beside(record.uses(), index, &independent.name);
                     let mut errors = errors.unwrap_or_default();
                     turn(&mut errors, &used.meaning.unit, &observed.unit);
+                    let excluded = record.excluded();
+                    let excluded = (!excluded.is_empty()).then(|| {
+                        record.marks_as(record.uses(), index, &independent.name, excluded).unwrap_or_default()
+                    });
+                    let excluded = excluded.unwrap_or_default();
                     let (record, record_name, name) = (record.id(), record.name().to_owned(), name.clone());
-                    measured.push(Measured { record, record_name, name, observed, times, values, errors, pause });
+                    measured.push(Measured {
+                        record,
+                        record_name,
+                        name,
+                        observed,
+                        times,
+                        values,
+                        errors,
+                        excluded,
+                        pause,
+                    });
                 }
             }
         }
-        let drawn: Vec<_> = document.program.plots.iter().map(|plot| points(model, plot, &measured)).collect();
+        let language = play.basis().language();
+        let drawn = document.program.plots.iter().map(|plot| points(model, plot, &measured, language));
+        let drawn: Vec<_> = drawn.collect();
         self.residuals = measured
             .iter()
             .map(|measured| Residuals { readings: Readings::new(model, &[measured.observed.node]), passed: 0 })
@@ -63,7 +82,7 @@ impl MeasuredData {
 }
 
 /// Measured points of a plot.
-fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured]) -> Vec<Points> {
+fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured], language: Language) -> Vec<Points> {
     let mut found = Vec::new();
     if plot.drawing != Drawing::Run {
         return found;
@@ -89,33 +108,35 @@ fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured]) -
             let (x_unit, y_unit) = (&plot.x.value.unit, &unit);
             let turning = column.observed.unit.turning(y_unit);
             let up = |value: &f64| y_unit.from_si(value * turning);
-            let (x, y, errors): (Vec<f64>, Vec<f64>, Vec<f64>) = if against_time {
-                let x = column.times.iter().map(|time| x_unit.from_si(*time)).collect();
-                (x, column.values.iter().map(up).collect(), column.errors.iter().map(up).collect())
-            } else {
-                let Some(other) = measured.iter().find(|other| other.record == column.record && of(across, other))
-                else {
-                    continue;
-                };
+            let other = measured.iter().find(|other| other.record == column.record && of(across, other));
+            if !against_time && other.is_none() {
+                continue;
+            }
+            let across = |time: &f64| {
+                let Some(other) = other.filter(|_| !against_time) else { return Some(x_unit.from_si(*time)) };
                 let turned = other.observed.unit.turning(x_unit);
-                let at = |(number, (time, value)): (usize, (&f64, &f64))| {
-                    let row = other.times.partition_point(|at| at < time);
-                    let other = (other.times.get(row) == Some(time)).then(|| other.values.get(row)).flatten()?;
-                    let error = column.errors.get(number).map_or(f64::NAN, up);
-                    Some((x_unit.from_si(other * turned), up(value), error))
-                };
-                let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
-                for (across, up, error) in column.times.iter().zip(&column.values).enumerate().filter_map(at) {
-                    x.push(across);
-                    y.push(up);
-                    errors.push(error);
-                }
-                (x, y, errors)
+                let row = other.times.partition_point(|at| at < time);
+                let same = other.times.get(row) == Some(time);
+                Some(x_unit.from_si(*other.values.get(row).filter(|_| same)? * turned))
             };
             let label = format!("{} ({})", symbol(&curve.expression), shortened(&column.record_name));
-            let source = column.record_name.clone();
-            let colour = points_colour(place);
-            found.push(Points { curve: number, colour, label, source, x, y, errors, version: 0 });
+            for unused in [false, true] {
+                let mut points = Points { curve: number, colour: points_colour(place), unused, ..Points::default() };
+                for (row, (time, value)) in column.times.iter().zip(&column.values).enumerate() {
+                    let Some(x) = across(time).filter(|_| column.excludes(row) == unused) else { continue };
+                    points.x.push(x);
+                    points.y.push(up(value));
+                    if !column.errors.is_empty() {
+                        points.errors.push(column.errors.get(row).map_or(f64::NAN, up));
+                    }
+                }
+                if unused && points.x.is_empty() {
+                    continue;
+                }
+                points.source.clone_from(&column.record_name);
+                points.label = if unused { words::left_out(language, &label) } else { label.clone() };
+                found.push(points);
+            }
         }
     }
     found

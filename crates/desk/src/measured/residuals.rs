@@ -79,8 +79,9 @@ impl MeasuredData {
             let (mut x, mut y, mut errors) = (Vec::new(), Vec::new(), Vec::new());
             for (row, (&time, &value)) in rest.take(SLICE).take_while(|(_, (time, _))| **time <= front) {
                 residuals.passed += 1;
-                let Some(parameters) =
-                    play.change_run(|line, _| line.state_at(time, &mut state)).filter(|_| time >= 0.0)
+                let Some(parameters) = play
+                    .change_run(|line, _| line.state_at(time, &mut state))
+                    .filter(|_| time >= 0.0 && !measured.excludes(row))
                 else {
                     continue;
                 };

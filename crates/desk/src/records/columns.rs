@@ -77,6 +77,19 @@ impl Records {
         Ok(Changes::RECORDS)
     }
 
+    /// Leaves a row of a record out of fits, or takes it back. It is drawn in any case.
+    pub fn exclude(&mut self, id: u32, row: usize, excluded: bool) -> Changes {
+        let Some(record) = self.get_mut(id).filter(|record| row < record.table.rows()) else { return Changes::NONE };
+        let changed = if excluded { record.excluded.insert(row) } else { record.excluded.remove(&row) };
+        Changes::RECORDS.only_if(changed)
+    }
+
+    /// Takes back all rows of a record that are left out of fits.
+    pub fn include_all(&mut self, id: u32) -> Changes {
+        let Some(record) = self.get_mut(id) else { return Changes::NONE };
+        Changes::RECORDS.only_if(!std::mem::take(&mut record.excluded).is_empty())
+    }
+
     /// Sets whether fits use a column.
     pub fn set_fitted(&mut self, id: u32, column: usize, fitted: bool) -> Changes {
         let used = self.get_mut(id).and_then(|record| record.uses.get_mut(column));

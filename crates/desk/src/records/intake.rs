@@ -8,7 +8,7 @@ use analysis::finding::Finding;
 use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use analysis::tracker::{Gathering, Project};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use units::Language;
 use units::sentence;
 
@@ -228,6 +228,7 @@ impl Records {
             made: Vec::new(),
             shown: true,
             origin: None,
+            excluded: BTreeSet::new(),
             known: BTreeMap::new(),
             truth,
         };

@@ -25,6 +25,8 @@ pub struct RecordView {
     pub synthetic: bool,
     /// True if it is stored for the next visit. The longest records are not.
     pub lasting: bool,
+    /// Number of rows that are left out of fits.
+    pub excluded: usize,
     /// Columns of the record.
     pub columns: Vec<ColumnView>,
     /// Findings about the text and the data, in the chosen language.
@@ -109,6 +111,7 @@ impl ShownRecords<'_> {
             name: record.name.clone(),
             rows: record.table.rows(),
             shown: record.shown,
+            excluded: record.excluded.len(),
             synthetic: record.truth.is_some(),
             lasting: self.records.is_lasting(record.id),
             variables: record.variables(self.open.play.basis().language()),

@@ -1,5 +1,6 @@
 //! Measured data: reading of files, meaning of columns, derived columns.
 
+mod assumed;
 mod columns;
 mod derived;
 mod incoming;

@@ -7,7 +7,7 @@ use analysis::finding::Finding;
 use analysis::table::Table;
 use document::Document;
 use program::Model;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Maximum number of records.
 pub const MOST_RECORDS: usize = 8;
@@ -52,6 +52,8 @@ pub(crate) struct Record {
     pub(super) shown: bool,
     /// Clock reading at which the model begins in the applied fit.
     pub(super) origin: Option<Origin>,
+    /// Rows of the table that are left out of fits.
+    pub(super) excluded: BTreeSet<usize>,
     /// Values of parameters in this record, SI, by name, for fits of several records.
     pub(super) known: BTreeMap<String, f64>,
     /// True values of parameters, SI, by name; `None` unless the data are simulated.
@@ -136,6 +138,11 @@ impl Record {
         self.origin
     }
 
+    /// Rows of the table that are left out of fits, ascending.
+    pub fn excluded(&self) -> &BTreeSet<usize> {
+        &self.excluded
+    }
+
     /// Values of parameters in this record, SI, by name, for fits of several records.
     pub fn known(&self) -> &BTreeMap<String, f64> {
         &self.known
@@ -177,7 +184,9 @@ impl Record {
             Some(used) if used.chosen && used.fits(model) => used.clone(),
             _ => Use { meaning, fitted: Some(column) == independent, offset: 0.0, chosen: false, stated: false },
         });
-        self.uses = fresh.collect();
+        let fresh = fresh.collect();
+        let before = std::mem::replace(&mut self.uses, fresh);
+        self.assume_units(document, &before);
         if settled {
             self.restore_made(differentiated.into_iter(), document);
         } else {

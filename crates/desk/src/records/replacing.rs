@@ -27,6 +27,7 @@ impl Records {
         let made: Vec<_> = record.differentiated().collect();
         let same = record.read_columns() == table.columns.len()
             && record.table.columns.iter().zip(&table.columns).all(|(one, other)| one.name == other.name);
+        record.excluded.retain(|row| same && *row < table.rows());
         record.uses.truncate(if same { table.columns.len() } else { 0 });
         for (used, column) in record.uses.iter_mut().zip(&table.columns) {
             if let Some(unit) = &column.unit {

@@ -65,9 +65,7 @@ impl Record {
         // A unit stated by the user for the values also holds for their errors.
         let same = beside.unit == own.unit || beside.unit.is_none();
         let unit = if same { &used.meaning.unit } else { beside.unit.as_ref()? };
-        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
-        let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
-        let times = &self.table.columns.get(clock)?.values;
+        let times = &self.table.columns.get(self.clock_of(uses, column, independent)?)?.values;
         let rows = times.iter().zip(&own.values).zip(&beside.values);
         let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
         let mut rows: Vec<(f64, f64)> =
@@ -76,6 +74,33 @@ impl Record {
         let usable = |error: f64| if error > 0.0 && error.is_finite() { error } else { f64::NAN };
         let same = unit.dimension == used.meaning.unit.dimension;
         same.then(|| rows.into_iter().map(|(_, error)| usable(error)).collect())
+    }
+
+    /// One entry per value of [`Record::series_as`]: true if its row is among `rows`.
+    pub fn marks_as<'a>(
+        &self,
+        uses: &[Use],
+        column: usize,
+        independent: &str,
+        rows: impl IntoIterator<Item = &'a usize>,
+    ) -> Option<Vec<bool>> {
+        let own = self.table.columns.get(column)?;
+        let times = &self.table.columns.get(self.clock_of(uses, column, independent)?)?.values;
+        let mut marks = vec![false; own.values.len()];
+        rows.into_iter().for_each(|row| marks.iter_mut().skip(*row).take(1).for_each(|mark| *mark = true));
+        let rows = times.iter().zip(&own.values).zip(marks);
+        let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
+        let mut rows: Vec<(f64, bool)> = rows.map(|((time, _), mark)| (*time, mark)).collect();
+        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Some(rows.into_iter().map(|(_, mark)| mark).collect())
+    }
+
+    /// Index of the column with the times of a column. One that the user has set as the time has priority over the one that
+    /// the file suggests.
+    fn clock_of(&self, uses: &[Use], column: usize, independent: &str) -> Option<usize> {
+        let own = self.table.columns.get(column)?;
+        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent);
+        Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))
     }
 
     /// Time and value, SI, of each row that has both.
@@ -87,9 +112,7 @@ impl Record {
     ) -> Option<impl Iterator<Item = (f64, f64)> + use<'_>> {
         let own = self.table.columns.get(column)?;
         let value_unit = uses.get(column)?.meaning.unit.clone();
-        // A column that the user has set as the time has priority over the one that the file suggests.
-        let is_time = |index: &usize| uses.get(*index).is_some_and(|used| used.meaning.quantity == independent.name);
-        let clock = Some(own.independent).filter(is_time).or_else(|| (0..uses.len()).find(is_time))?;
+        let clock = self.clock_of(uses, column, &independent.name)?;
         if self.asks_for_unit(uses, column) || self.asks_for_unit(uses, clock) {
             return None;
         }

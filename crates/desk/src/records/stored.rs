@@ -71,6 +71,8 @@ impl Records {
                 derivatives.filter_map(|one| Some((one.column, Differentiation::from_code(&one.method)?))),
                 open.document,
             );
+            let rows = record.table.rows();
+            record.excluded = saved.excluded.iter().copied().filter(|row| *row < rows).collect();
             record.known = read_values(&saved.known).into_iter().collect();
             take_uses(&mut record.uses, &saved.columns);
         }
@@ -105,6 +107,7 @@ fn saved(record: &Record, document: &str) -> format::Record {
         text: record.text.clone(),
         hidden: !record.shown,
         truth: record.truth.as_ref().map(|truth| write_values(truth.iter().map(|(name, value)| (name, *value)))),
+        excluded: record.excluded.iter().copied().collect(),
         known: write_values(record.known.iter().map(|(name, value)| (name, *value))),
         against: record.against.clone(),
         columns: write_uses(record.uses.iter().enumerate().filter(|(_, used)| used.chosen)),

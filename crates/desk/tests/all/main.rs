@@ -13,6 +13,7 @@ mod projects;
 mod reading;
 mod records;
 mod saved;
+mod shared_units;
 mod support;
 mod turns;
 mod understood;

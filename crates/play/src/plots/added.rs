@@ -29,6 +29,8 @@ pub struct Points {
     pub y: Vec<f64>,
     /// Standard errors of the ordinates; empty if there are none.
     pub errors: Vec<f64>,
+    /// True if they are left out of fits, and drawn faintly.
+    pub unused: bool,
     /// See [`figure::Series::version`].
     pub version: u64,
 }

@@ -40,7 +40,8 @@ impl Figures<'_> {
         let kept = kept.map(|((traces, pattern), name)| (traces, Style::Faded(pattern), name.as_str()));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
-            let (colour, style) = (points.colour, Style::Points);
+            let style = if points.unused { Style::Unused } else { Style::Points };
+            let colour = points.colour;
             let (x, y, version) = (&points.x[..], &points.y[..], points.version);
             let (label, spread) = (points.label.as_str(), &points.errors[..]);
             Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })

@@ -192,7 +192,7 @@ class Document:
         *,
         vary: str | Sequence[str] | None = None,
         fix: Mapping[str, Value | Sequence[Value]] | None = None,
-        start: Mapping[str, Value] | None = None,
+        start: Mapping[str, Value | Sequence[Value]] | None = None,
         bounds: Mapping[str, str | tuple[Value | None, Value | None]] | None = None,
         share: str | Sequence[str] | None = None,
         error: Mapping[str, Value] | None = None,
@@ -202,20 +202,24 @@ class Document:
         against: str | Sequence[str] | None = None,
         unit: Mapping[str, str] | None = None,
         seat: int | None = None,
+        exclude: int | str | Sequence[int | str] | None = None,
         profile: bool = False,
     ) -> Fit:
         """Fits the document to measured data.
 
         ``observe``: the measured quantity, or the column of each quantity. ``vary``: names of parameters, ``t_origin`` and
-        ``y_offset``; without it, those that the document states. ``fix``: parameters that are held. ``start``, ``bounds``: where
-        is searched. ``share``: numbers with one value in all records. ``error``: standard errors, values or columns. ``begin``,
-        ``until``: the fitted part. ``against``: the column of the independent variable. ``unit``: units of columns that a file
-        does not state. ``profile``: also intervals from the profile of chi-square.
+        ``y_offset``; without it, those that the document states, and the offset of the readings unless a parameter is such a
+        constant. ``fix``: parameters that are held; ``{"y_offset": 0}`` leaves out the offset. ``start``, ``bounds``: where is
+        searched; of several starts, ``{"w": [3, 5, 8]}`` or ``{"w": "3..9 step 1"}``, the best search counts. ``share``: numbers
+        with one value in all records. ``error``: standard errors, values or columns. ``begin``, ``until``: the fitted part.
+        ``against``: the column of the independent variable. ``unit``: units of columns that a file does not state. ``exclude``:
+        rows that are left out, ``17`` (from 1), ``"20..30"``, ``"t=1.5..2"``, or a column that is not 0 in them. ``profile``: also
+        intervals from the profile of chi-square.
         """
         arrays: list[bytes] = []
         request = {
             "data": records(data, arrays),
-            "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat),
+            "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
             "profile": bool(profile),
         }
         value, buffers = asked("fit", [self._opened], request, arrays)
@@ -254,7 +258,7 @@ def rank(
     predict_from: Value | None = None,
     vary: str | Sequence[str] | None = None,
     fix: Mapping[str, Value | Sequence[Value]] | None = None,
-    start: Mapping[str, Value] | None = None,
+    start: Mapping[str, Value | Sequence[Value]] | None = None,
     bounds: Mapping[str, str | tuple[Value | None, Value | None]] | None = None,
     share: str | Sequence[str] | None = None,
     error: Mapping[str, Value] | None = None,
@@ -264,6 +268,7 @@ def rank(
     against: str | Sequence[str] | None = None,
     unit: Mapping[str, str] | None = None,
     seat: int | None = None,
+    exclude: int | str | Sequence[int | str] | None = None,
 ) -> list[Fit]:
     """Fits several documents to the same data, best first by AICc.
 
@@ -273,7 +278,7 @@ def rank(
     arrays: list[bytes] = []
     request = {
         "data": records(data, arrays),
-        "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat),
+        "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
         "predict_from": None if predict_from is None else text(predict_from),
     }
     value, buffers = asked("rank", [document._opened for document in documents], request, arrays)

@@ -1,14 +1,17 @@
 //! Fits, and their results.
 
 use super::lanes::lanes;
+use super::task::FitTask;
 use crate::opening::Sources;
 use crate::refusal::Refusal;
-use analysis::fit::{Fit, FitError, Interval, Outcome, Task, Trace, profiles};
+use analysis::fit::{Fit, FitError, Interval, Loss, Outcome, Scan, Task, Trace, profiles};
 use document::Document;
 use report::{FitReport, Report};
 use units::Language;
 use units::number::{Style, plain};
 
+/// Relative difference of sums of squares below which two fits have ended at the same minimum.
+const SAME_END: f64 = 1e-6;
 /// Number of points of a drawn curve.
 const POINTS: usize = 600;
 
@@ -37,26 +40,43 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// Runs a fit to its end. `progress` gets the number of trials after each.
+    /// Runs a fit to its end, from each of its starts, and takes the best one. `progress` gets the number of trials after
+    /// each.
     ///
     /// # Errors
     /// A task that cannot be fitted, or a model without a finite curve.
     pub fn complete(
         theory: Theory,
-        task: Task,
+        FitTask { task, starts }: FitTask,
         with_profiles: bool,
         progress: &mut dyn FnMut(usize),
     ) -> Result<Self, Refusal> {
-        let mut fit =
-            Fit::new(&theory.document.program.model, task.clone()).map_err(|error| refused(&theory, &task, &error))?;
-        if with_profiles || task.records.len() > 1 {
-            fit.use_lanes(lanes);
+        let mut best: Option<(f64, Fit, Outcome, Task)> = None;
+        let (mut ends, mut before, mut gave_up) = (Vec::new(), 0, false);
+        for number in 0..starts.count() {
+            let mut task = task.clone();
+            for (place, start) in starts.combination(number) {
+                task.varied[place].start = Some(start);
+            }
+            let mut fit = Fit::new(&theory.document.program.model, task.clone())
+                .map_err(|error| refused(&theory, &task, &error))?;
+            if with_profiles || task.records.len() > 1 {
+                fit.use_lanes(lanes);
+            }
+            while !fit.advance() {
+                progress(before + fit.trials());
+            }
+            before += fit.trials();
+            gave_up |= fit.gave_up();
+            let Some(outcome) = fit.outcome() else { continue };
+            let end = if task.loss == Loss::Squares { outcome.chi2 } else { outcome.bic };
+            ends.push(end);
+            if best.as_ref().is_none_or(|(least, ..)| end < *least) {
+                best = Some((end, fit, outcome, task));
+            }
         }
-        while !fit.advance() {
-            progress(fit.trials());
-        }
-        let Some(mut outcome) = fit.outcome() else {
-            return Err(match fit.gave_up() {
+        let Some((least, mut fit, mut outcome, task)) = best else {
+            return Err(match gave_up {
                 true => Refusal::with_hint(
                     "the model needs too many steps of the integration wherever it was tried",
                     "give values from which it runs with --start NAME=VALUE, narrower ranges with --bounds NAME=LO..HI, or fit a shorter part of the record",
@@ -67,6 +87,10 @@ impl Fitted {
                 ),
             });
         };
+        if starts.count() > 1 {
+            let near = |end: &&f64| (**end - least).abs() <= SAME_END * least.abs().max(f64::MIN_POSITIVE);
+            outcome.scan = Some(Scan { starts: starts.count(), ended: ends.iter().filter(near).count() });
+        }
         let intervals = if with_profiles { profiles(&mut fit, &mut outcome) } else { Vec::new() };
         let traces = fit.traces(POINTS);
         Ok(Self { theory, task, outcome, traces, intervals })

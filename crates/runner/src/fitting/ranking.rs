@@ -34,21 +34,21 @@ impl Contender {
         note: &mut dyn FnMut(&Words),
         progress: &mut dyn FnMut(usize),
     ) -> Result<Self, Refusal> {
-        let mut task = task(&mut theory.document, data, settings, note)?;
+        let mut asked = task(&mut theory.document, data, settings, note)?;
         let Some(text) = predict_from else {
-            return Ok(Self { fitted: Fitted::complete(theory, task, false, progress)?, parts: None });
+            return Ok(Self { fitted: Fitted::complete(theory, asked, false, progress)?, parts: None });
         };
         let time = theory.document.program.model.independent.unit.clone();
         let moment = Reader { model: &mut theory.document.program.model }.value(
             "--predict-from",
             text,
             &time,
-            &task.parameters.clone(),
+            &asked.task.parameters.clone(),
         )?;
-        let mut fitted = Fitted::complete(theory.clone(), task.clone(), false, progress)?;
+        let mut fitted = Fitted::complete(theory.clone(), asked.clone(), false, progress)?;
         // Values exactly at the time are predicted.
-        task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
-        let predicted = Fitted::complete(theory, task, false, progress)?;
+        asked.task.until = Some(moment - 1e-9 * moment.abs().max(1e-9));
+        let predicted = Fitted::complete(theory, asked, false, progress)?;
         let (whole, after) = (&fitted.task, |time| time >= moment);
         let before = error(&fitted, |time| whole.covers(time) && !after(time));
         let rest = |time| whole.covers(time) && after(time);

@@ -35,6 +35,8 @@ pub struct FitSettings {
     pub from: Option<String>,
     /// End of the fitted part.
     pub until: Option<String>,
+    /// Rows that are left out: by number, by a range of a column, or by a column that is not 0 in them.
+    pub exclude: Vec<String>,
 }
 
 impl FitSettings {

@@ -1,17 +1,30 @@
 //! Conversion of the settings of a fit to its task.
 
+use super::errors::{errors, errors_of_files, of_values};
+use super::exclude::excluded_rows;
+use super::offsets::default_offsets;
 use super::settings::FitSettings;
+use super::starts::Starts;
 use crate::names::Assignment;
-use crate::records::{Measured, find, nothing_between};
+use crate::records::{Measured, nothing_between};
 use crate::refusal::Refusal;
 use crate::settings::take_seat;
-use crate::values::{Reader, positive};
-use analysis::fit::{Observation, Record, Target, Task, Varied, observation};
-use analysis::lookup::LookupError;
+use crate::values::Reader;
+use analysis::fit::{Record, Target, Task, Varied, observation};
+use analysis::origin::UnitOrigin;
 use document::Document;
 use program::{Compiled, Kind};
 use std::path::Path;
-use units::{Unit, Words, words};
+use units::{Unit, Words};
+
+/// A task, and the starts from which its fit is made.
+#[derive(Clone, Debug)]
+pub struct FitTask {
+    /// The task, with the first start of each number.
+    pub task: Task,
+    /// Starts of numbers that have several.
+    pub starts: Starts,
+}
 
 /// Fit task of the settings. `note` gets remarks about the data.
 ///
@@ -22,7 +35,7 @@ pub fn task(
     data: &[Measured],
     settings: &FitSettings,
     note: &mut dyn FnMut(&Words),
-) -> Result<Task, Refusal> {
+) -> Result<FitTask, Refusal> {
     take_seat(&mut document.program, settings.seat)?;
     let time = document.program.model.independent.unit.clone();
     let parameters: Vec<f64> = document.program.model.parameters.iter().map(|parameter| parameter.value).collect();
@@ -30,14 +43,16 @@ pub fn task(
     task.method = document.program.method.unwrap_or(task.method);
     let observed = observed(document, settings)?;
     let mut columns: Vec<Vec<usize>> = Vec::new();
-    for measured in data {
-        let (record, own) = record(document, measured, settings, &observed)?;
+    let excluded = excluded_rows(data, &settings.exclude)?;
+    for (measured, excluded) in data.iter().zip(&excluded) {
+        let (record, own) = record(document, (measured, excluded), settings, &observed)?;
         task.records.push(record);
         columns.push(own);
     }
     let vary = document.program.vary.clone();
     let mut reader = Reader { model: &mut document.program.model };
     let names: Vec<String> = observed.iter().map(|(name, _)| name.clone()).collect();
+    let no_offset: Vec<usize> = settings.fix.iter().filter_map(|fixed| offset_of(&fixed.name, &names)).collect();
     for fixed in &settings.fix {
         if settings.vary.iter().any(|name| name.trim() == fixed.name) {
             return Err(Refusal::with_hint(
@@ -45,7 +60,10 @@ pub fn task(
                 "name it in --vary or in --fix; where a search begins says --start",
             ));
         }
-        fix(&mut reader, &mut task, fixed)?;
+        match offset_of(&fixed.name, &names) {
+            Some(_) => without_offset(&mut reader, &task, fixed)?,
+            None => fix(&mut reader, &mut task, fixed)?,
+        }
     }
     for error in &settings.error {
         errors(&mut reader, &mut task, (data, &columns), error, &observed)?;
@@ -57,8 +75,13 @@ pub fn task(
     }
     task.varied = if settings.vary.is_empty() {
         // A fixed parameter is not varied.
-        let held = |index: usize| settings.fix.iter().any(|fixed| fixed.name == reader.model.parameters[index].name);
-        vary.into_iter().filter(|&index| !held(index)).map(Varied::parameter).collect()
+        let parameter = |name: &String| reader.model.parameters.iter().position(|own| own.name == *name);
+        let held: Vec<usize> = settings.fix.iter().filter_map(|fixed| parameter(&fixed.name)).collect();
+        task.varied = vary.into_iter().filter(|index| !held.contains(index)).map(Varied::parameter).collect();
+        let offsets = default_offsets(reader.model, &task, &held);
+        let wanted = |offset: &Varied| no_offset.iter().all(|place| offset.target != Target::Offset(*place));
+        let offsets = offsets.into_iter().filter(|offset| !task.varied.is_empty() && wanted(offset));
+        task.varied.iter().cloned().chain(offsets).collect()
     } else {
         let targets: Result<Vec<Target>, Refusal> =
             settings.vary.iter().map(|name| target(&reader, name.trim(), &names)).collect();
@@ -70,7 +93,7 @@ pub fn task(
             "say what with --vary NAME,NAME, or in the document's front matter: `vary: b, y_0`",
         ));
     }
-    refine(&mut reader, &mut task, settings, &names)?;
+    let starts = refine(&mut reader, &mut task, settings, &names)?;
     let values = task.parameters.clone();
     let mut moment = |what: &str, text: &Option<String>| match text {
         Some(text) => reader.value(what, text, &time, &values).map(Some),
@@ -84,11 +107,12 @@ pub fn task(
         let typed = |text: &Option<String>| text.clone().unwrap_or_default();
         return Err(nothing_between(&typed(&settings.from), &typed(&settings.until)));
     }
-    Ok(task)
+    Ok(FitTask { task, starts })
 }
 
-/// Applies `--share`, `--start` and `--bounds` to the varied numbers.
-fn refine(reader: &mut Reader, task: &mut Task, settings: &FitSettings, names: &[String]) -> Result<(), Refusal> {
+/// Applies `--share`, `--start` and `--bounds` to the varied numbers. Returns the starts of numbers that have several.
+fn refine(reader: &mut Reader, task: &mut Task, settings: &FitSettings, names: &[String]) -> Result<Starts, Refusal> {
+    let mut starts = Starts::default();
     let values = task.parameters.clone();
     for name in &settings.share {
         let place = varied(reader, task, "--share", name.trim(), names)?;
@@ -103,8 +127,7 @@ fn refine(reader: &mut Reader, task: &mut Task, settings: &FitSettings, names: &
     for start in &settings.start {
         let place = varied(reader, task, "--start", &start.name, names)?;
         let unit = unit(reader, task, task.varied[place].target);
-        task.varied[place].start =
-            Some(reader.value(&format!("--start {}", start.name), &start.value, &unit, &values)?);
+        task.varied[place].start = starts.add(reader, (place, start), &unit, &values)?;
     }
     for bounds in &settings.bounds {
         let place = varied(reader, task, "--bounds", &bounds.name, names)?;
@@ -122,9 +145,11 @@ fn refine(reader: &mut Reader, task: &mut Task, settings: &FitSettings, names: &
     }
     for start in &settings.start {
         let place = varied(reader, task, "--start", &start.name, names)?;
-        starts_inside(reader, &task.varied[place], start)?;
+        for value in starts.of(place).into_iter().chain(task.varied[place].start) {
+            starts_inside(reader, &Varied { start: Some(value), ..task.varied[place].clone() }, start)?;
+        }
     }
-    Ok(())
+    Ok(starts)
 }
 
 /// Refuses a start outside the search range, which the search would silently move to the nearest bound.
@@ -170,7 +195,7 @@ fn observed(document: &mut Document, settings: &FitSettings) -> Result<Vec<(Stri
 /// A record with its observations, and the index of the column of each.
 fn record(
     document: &Document,
-    measured: &Measured,
+    (measured, excluded): (&Measured, &[bool]),
     settings: &FitSettings,
     observed: &[(String, Compiled)],
 ) -> Result<(Record, Vec<usize>), Refusal> {
@@ -188,8 +213,17 @@ fn record(
                     false => Refusal::request(message),
                 }
             })?;
+        if measured.table.columns[column].origin.unit == UnitOrigin::Assumed {
+            record
+                .assumed
+                .extend(measured.table.columns[column].unit.clone().map(|unit| (record.observations.len(), unit)));
+        }
+        record.excluded.push(of_values(measured, column, excluded));
         record.observations.push(observation);
         columns.push(column);
+    }
+    if !excluded.contains(&true) {
+        record.excluded.clear();
     }
     for (place, column) in columns.iter().enumerate() {
         let source = measured.derived.iter().find(|derived| derived.column == *column).map(|derived| derived.of);
@@ -197,6 +231,23 @@ fn record(
             source.and_then(|source| columns.iter().position(|column| *column == source));
     }
     Ok((record, columns))
+}
+
+/// Place of the observed quantity of which this is the name of the offset.
+fn offset_of(name: &str, observed: &[String]) -> Option<usize> {
+    observed.iter().position(|observed| name == format!("{observed}_offset"))
+}
+
+/// `--fix y_offset=0`: a fit without an offset of the readings.
+fn without_offset(reader: &mut Reader, task: &Task, fixed: &Assignment) -> Result<(), Refusal> {
+    let number = fixed.value.split('[').next().unwrap_or_default();
+    match reader.value("--fix", number, &Unit::dimensionless(), &task.parameters) {
+        Ok(0.0) => Ok(()),
+        _ => Err(Refusal::with_hint(
+            format!("--fix {}={}: an offset can only be held at 0", fixed.name, fixed.value),
+            format!("write --fix {}=0, or subtract it from the readings", fixed.name),
+        )),
+    }
 }
 
 /// File name without its directory.
@@ -258,72 +309,6 @@ fn listed_values(text: &str) -> Vec<&str> {
     text.split(separates).map(str::trim).collect()
 }
 
-/// `--error y=VALUE` or `--error y=COLUMN`. `data`: the files, each with the columns of its observations.
-fn errors(
-    reader: &mut Reader,
-    task: &mut Task,
-    (data, columns): (&[Measured], &[Vec<usize>]),
-    error: &Assignment,
-    observed: &[(String, Compiled)],
-) -> Result<(), Refusal> {
-    let Some(place) = observed.iter().position(|(name, _)| *name == error.name) else {
-        return Err(Refusal::unknown("observed quantity", &error.name, observed.iter().map(|(name, _)| name.as_str())));
-    };
-    let unit = observed[place].1.unit.clone();
-    for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
-        let observation: &mut Observation = &mut record.observations[place];
-        let called = |value: &String| match measured.table.column(value) {
-            Err(LookupError::Unknown) => Ok(None),
-            _ => {
-                find(&measured.name, &measured.table, value, &|name| format!("--error {}={name}", error.name)).map(Some)
-            }
-        };
-        let column = if error.value.parse::<f64>().is_ok() { None } else { called(&error.value)? };
-        let errors = match column {
-            Some(column) => column_errors(measured, column, columns[place], &unit)?,
-            None => {
-                let what = format!("--error {}", error.name);
-                let value = positive(&what, reader.value(&what, &error.value, &unit, &task.parameters)?)?;
-                vec![value; observation.values.len()]
-            }
-        };
-        observation.errors = Some(errors);
-    }
-    Ok(())
-}
-
-/// Uses the standard errors that the files contain for an observed quantity, as written by `meniscus track`, with a
-/// note.
-fn errors_of_files(
-    task: &mut Task,
-    (data, columns): (&[Measured], &[Vec<usize>]),
-    (place, name, unit): (usize, &str, &Unit),
-    note: &mut dyn FnMut(&Words),
-) -> Result<(), Refusal> {
-    for ((record, measured), columns) in task.records.iter_mut().zip(data).zip(columns) {
-        let Some(column) = measured.table.errors_of(columns[place]) else { continue };
-        record.observations[place].errors = Some(column_errors(measured, column, columns[place], unit)?);
-        let (file, called) = (&measured.name, measured.called(column));
-        note(&words!("{file}: the standard errors of {name} are those of its column {called}"));
-    }
-    Ok(())
-}
-
-/// Standard errors of the column `observed`, SI, one per row that has a time and a value.
-fn column_errors(measured: &Measured, column: usize, observed: usize, unit: &Unit) -> Result<Vec<f64>, Refusal> {
-    let table = &measured.table;
-    let own = &table.columns[column];
-    if let Some(given) = own.unit.as_ref().filter(|given| given.dimension != unit.dimension) {
-        return Err(Refusal::request(format!(
-            "{}: {} is in {given}, and what is observed is in {unit}",
-            measured.name,
-            measured.called(column)
-        )));
-    }
-    let rows = own.si(Some(unit)).into_iter().zip(&table.columns[observed].values).zip(table.times_of(observed));
-    Ok(rows.filter(|((_, value), time)| value.is_finite() && time.is_finite()).map(|((error, _), _)| error).collect())
-}
-
 /// Varied number of this name: a parameter, `t_origin`, or `y_offset`.
 fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Refusal> {
     if let Some(index) = reader.model.parameters.iter().position(|parameter| parameter.name == name) {
@@ -335,7 +320,7 @@ fn target(reader: &Reader, name: &str, observed: &[String]) -> Result<Target, Re
     if name == format!("{}_origin", reader.model.independent.name) {
         return Ok(Target::Origin);
     }
-    if let Some(place) = observed.iter().position(|observed| name == format!("{observed}_offset")) {
+    if let Some(place) = offset_of(name, observed) {
         return Ok(Target::Offset(place));
     }
     Err(reader.no_parameter(name))

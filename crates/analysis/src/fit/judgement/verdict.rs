@@ -52,6 +52,29 @@ const EXPLAINED: f64 = 0.5;
 /// Least number of values for a judgement of signs and neighbours.
 const LEAST: usize = 10;
 
+/// Size of residuals, as a share of the swing of the values, up to which a curve meets them.
+const MET: f64 = 0.05;
+
+/// Size of the residuals of one observation beside its swing.
+#[derive(Clone, Copy, Debug)]
+pub struct Share<'a> {
+    /// Observation.
+    pub of: &'a ObservationFit,
+    /// Root mean square of the residuals over the distance from the lowest to the highest measured value, without outliers.
+    pub value: f64,
+}
+
+/// How near a curve comes to the values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::fit) enum Nearness {
+    /// The residuals are small beside the swing of the values.
+    Met,
+    /// The residuals are large but scatter about the curve.
+    Scattered,
+    /// The residuals are large, and those of neighbouring values agree.
+    Missed,
+}
+
 impl Outcome {
     /// Verdict from the residuals.
     pub fn verdict(&self) -> Verdict {
@@ -92,6 +115,39 @@ impl Outcome {
             true if off > 0.0 => Some(Size::Larger),
             true => Some(Size::Smaller),
             false => None,
+        }
+    }
+
+    /// The observation with the largest residuals beside its swing; `None` if no values vary.
+    pub fn largest_share(&self) -> Option<Share<'_>> {
+        let share = |of| {
+            let of: &ObservationFit = of;
+            let own = |one: &Outlier| (one.record, one.observation) == (of.record, of.observation);
+            let off = |row: usize| self.outliers.iter().any(|one| own(one) && one.row == row);
+            let rows = of.measured.iter().zip(&of.fitted).zip(&of.inside).enumerate();
+            let rows = rows.filter(|(row, (_, inside))| **inside && !off(*row));
+            let (mut count, mut squares, mut low, mut high) = (0.0, 0.0, f64::INFINITY, f64::NEG_INFINITY);
+            for (_, ((measured, fitted), _)) in rows {
+                count += 1.0;
+                squares += (measured - fitted) * (measured - fitted);
+                (low, high) = (f64::min(low, *measured), f64::max(high, *measured));
+            }
+            let value = (squares / count).sqrt() / (high - low);
+            (value, of)
+        };
+        let shares = self.observations.iter().filter(|one| !one.derived).map(share);
+        let largest = shares.filter(|(value, _)| value.is_finite()).max_by(|one, other| one.0.total_cmp(&other.0));
+        largest.map(|(value, of)| Share { of, value })
+    }
+
+    /// Nearness of the curve to the values. Residuals of which neighbours agree are no scatter.
+    pub(in crate::fit) fn nearness(&self, share: Share<'_>) -> Nearness {
+        let systematic = share.value * self.autocorrelation.max(0.0).sqrt();
+        match self.verdict() {
+            _ if share.value <= MET => Nearness::Met,
+            Verdict::Missed => Nearness::Missed,
+            _ if systematic > MET => Nearness::Missed,
+            _ => Nearness::Scattered,
         }
     }
 

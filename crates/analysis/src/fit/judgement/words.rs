@@ -1,13 +1,42 @@
 //! Sentences about the result of a fit.
 
-use super::verdict::{Size, Verdict};
-use crate::fit::outcome::Outcome;
+use super::verdict::{Nearness, Size, Verdict};
+use crate::fit::outcome::{Outcome, Scan};
 use crate::fit::uncertainty::estimate::Estimate;
+use units::number::plain;
 use units::{Language, say};
 
 impl Outcome {
-    /// Verdict on the model, in a few sentences.
+    /// Verdict on the model, in a few sentences. The first one says whether the curve meets the data.
     pub fn verdict_text(&self, language: Language) -> String {
+        let residuals = self.residuals_text(language);
+        self.nearness_text(language).map_or_else(|| residuals.clone(), |nearness| [&nearness, " ", &residuals].concat())
+    }
+
+    /// Sentence that says whether the curve meets the data: the residuals as a share of the swing from peak to peak. `None` if
+    /// the values do not vary.
+    pub fn nearness_text(&self, language: Language) -> Option<String> {
+        let share = self.largest_share()?;
+        let (name, percent) = (&share.of.name, plain(100.0 * share.value, 2, language.style()));
+        Some(match self.nearness(share) {
+            Nearness::Met => say!(
+                language,
+                "The curve meets the data: the RMS residual of {name} is {percent} % of its swing from peak to peak."
+            ),
+            Nearness::Scattered => say!(
+                language,
+                "The curve follows the data within their scatter: the RMS residual of {name} is {percent} % of its swing from \
+                 peak to peak."
+            ),
+            Nearness::Missed => say!(
+                language,
+                "The curve misses the data: the RMS residual of {name} is {percent} % of its swing from peak to peak."
+            ),
+        })
+    }
+
+    /// Judgement of the residuals, in a few sentences.
+    fn residuals_text(&self, language: Language) -> String {
         let verdict = self.verdict();
         let text = match verdict {
             Verdict::Exact => language.say("The fit is exact: the residuals are less than a billionth of the scatter of the values. AICc and BIC are those \
@@ -47,7 +76,9 @@ impl Outcome {
     /// Sentences about the number of starts, if more than one, a lower minimum found by a profile, and trials that were given up.
     pub fn search_texts(&self, language: Language) -> Vec<String> {
         let mut texts = Vec::new();
-        if self.starts > 1 {
+        if let Some(Scan { starts, ended }) = self.scan {
+            texts.push(say!(language, "The fit was made from {starts} given starts; {ended} of them ended here."));
+        } else if self.starts > 1 {
             texts.push(say!(
                 language,
                 "The search was made from {} starts; these values are the best that were found.",

@@ -108,7 +108,7 @@ impl Problem {
             };
             layout.moved = (0..task.records.len()).map(moves).collect();
         }
-        let plans = layout.plans(&task, |time| task.covers(time));
+        let plans = layout.plans(&task, false);
         check::points(&layout, &task, &plans, columns.iter().filter(|column| !column.is_scale()).count())?;
         let mut problem = Self {
             model: curve::bare(model),
@@ -131,9 +131,9 @@ impl Problem {
         Ok(problem)
     }
 
-    /// Points of all records whose times are `inside`.
-    pub fn plans_where(&self, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
-        self.layout.plans(&self.task, inside)
+    /// All values of the records, also those that are not fitted.
+    pub fn whole_plans(&self) -> Vec<Plan> {
+        self.layout.plans(&self.task, true)
     }
 
     /// Number of independent fitted values.

@@ -4,6 +4,7 @@ pub(in crate::fit) mod bind;
 pub(in crate::fit) mod check;
 pub(in crate::fit) mod columns;
 pub(in crate::fit) mod film_scale;
+pub(in crate::fit) mod offset;
 pub(in crate::fit) mod plan;
 pub(in crate::fit) mod scale;
 pub(in crate::fit) mod weights;
@@ -12,6 +13,7 @@ use super::search::loss::Loss;
 use engine::Method;
 use program::Compiled;
 use serde::{Deserialize, Serialize};
+use units::Unit;
 
 /// One measured column, bound to an expression of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -48,6 +50,23 @@ pub struct Record {
     /// Relative standard error common to all lengths of the record, such as that of the ruler in a film; `None` if unknown.
     /// If given, a factor of all lengths is fitted: [`super::Outcome::scales`].
     pub scale_error: Option<f64>,
+    /// One list per observation, one entry per value: true for values that a person has left out of the fit. A missing list
+    /// or entry leaves out nothing.
+    pub excluded: Vec<Vec<bool>>,
+    /// Observations whose record states no unit: index, and the unit in which their numbers were read.
+    pub assumed: Vec<(usize, Unit)>,
+}
+
+impl Record {
+    /// True if a person has left out this value of an observation.
+    pub fn excludes(&self, observation: usize, place: usize) -> bool {
+        self.excluded.get(observation).and_then(|list| list.get(place)).copied().unwrap_or(false)
+    }
+
+    /// Number of values that a person has left out.
+    pub fn excluded_count(&self) -> usize {
+        self.excluded.iter().flatten().filter(|excluded| **excluded).count()
+    }
 }
 
 /// Kind of a varied number.

@@ -20,6 +20,8 @@ pub(crate) struct Point {
     pub share: f64,
     /// True if it was measured, false if it was computed from another column.
     pub measured: bool,
+    /// True if a person has left it out of the fit.
+    pub excluded: bool,
 }
 
 impl Point {
@@ -57,6 +59,15 @@ impl Observation {
     }
 }
 
+impl Record {
+    /// All values without gaps: true if the value is excluded, and its time.
+    fn rows(&self) -> impl Iterator<Item = (bool, f64)> {
+        self.observations.iter().enumerate().flat_map(move |(observation, one)| {
+            one.rows().map(move |(place, time, _)| (self.excludes(observation, place), time))
+        })
+    }
+}
+
 /// Assignment of measured values to the curve: its expressions, and the position of the model's 0 on the clock.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout {
@@ -72,13 +83,14 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// Plans of all records with the points whose times are `inside`. The weight is 1/error, or 1, times the square root of
-    /// the share.
-    pub fn plans(&self, task: &Task, inside: impl Fn(f64) -> bool) -> Vec<Plan> {
+    /// Plans of all records: with `all` points, or those of the fitted part. The weight is 1/error, or 1, times the square
+    /// root of the share.
+    pub fn plans(&self, task: &Task, all: bool) -> Vec<Plan> {
         let plan = |place: usize| {
             let origin = self.fixed_origin(task, place);
             let earliest = self.earliest(origin);
-            self.plan_of(&task.records[place], origin, |time| time >= earliest && inside(time))
+            let wanted = |excluded: bool, time: f64| all || !excluded && task.covers(time);
+            self.plan_of(&task.records[place], origin, |excluded, time| time >= earliest && wanted(excluded, time))
         };
         (0..task.records.len()).map(plan).collect()
     }
@@ -92,8 +104,8 @@ impl Layout {
     fn fixed_origin(&self, task: &Task, place: usize) -> f64 {
         let record = &task.records[place];
         let moves = self.autonomous || self.moved.get(place).is_some_and(|moved| *moved);
-        let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
-        let first = times.filter(|time| task.covers(*time)).fold(f64::INFINITY, f64::min);
+        let times = record.rows().filter(|(excluded, time)| !excluded && task.covers(*time));
+        let first = times.map(|(_, time)| time).fold(f64::INFINITY, f64::min);
         match record.origin {
             Some(origin) => origin,
             None if moves && first.is_finite() => first,
@@ -118,7 +130,9 @@ impl Layout {
             let fitted = |time: f64| time >= earliest && task.covers(time);
             for (observation, one) in of_record.observations.iter().enumerate().filter(|(_, one)| one.errors.is_some())
             {
-                let bad = || one.rows().filter(|(place, time, _)| fitted(*time) && one.error(*place).is_none());
+                let is_fitted = |place: usize, time: f64| fitted(time) && !of_record.excludes(observation, place);
+                let bad =
+                    || one.rows().filter(|(place, time, _)| is_fitted(*place, *time) && one.error(*place).is_none());
                 if let Some((_, first, _)) = bad().next() {
                     return Err(FitError::BadErrors { record, observation, count: bad().count(), first });
                 }
@@ -127,10 +141,11 @@ impl Layout {
         Ok(())
     }
 
-    fn plan_of(&self, record: &Record, origin: f64, usable: impl Fn(f64) -> bool) -> Plan {
+    /// Plan of the values for which `usable` is true; it gets whether a value is excluded, and its time.
+    fn plan_of(&self, record: &Record, origin: f64, usable: impl Fn(bool, f64) -> bool) -> Plan {
         let mut plan = Plan { origin, ..Plan::default() };
-        let times = record.observations.iter().flat_map(|one| one.rows().map(|(_, time, _)| time));
-        plan.times = times.filter(|time| usable(*time)).collect();
+        let rows = record.rows().filter(|(excluded, time)| usable(*excluded, *time));
+        plan.times = rows.map(|(_, time)| time).collect();
         plan.times.sort_unstable_by(f64::total_cmp);
         plan.times.dedup();
         for (index, observation) in record.observations.iter().enumerate() {
@@ -138,12 +153,17 @@ impl Layout {
             plan.expressions.push(self.expressions.iter().position(|known| *known == node).unwrap_or(0));
             let measured = independent(record, index) == index;
             let share = 1.0 / equal(record, index) as f64;
-            for (place, time, value) in observation.rows().filter(|(_, time, _)| usable(*time)) {
+            for (place, time, value) in observation.rows() {
+                let excluded = record.excludes(index, place);
+                if !usable(excluded, time) {
+                    continue;
+                }
                 // A value without an error lies outside the fitted part, where weights do not count.
                 let weight = 1.0 / observation.error(place).unwrap_or(1.0);
                 let row = plan.times.partition_point(|known| *known < time);
                 let weight = weight * share.sqrt();
-                plan.points.push(Point { row, observation: index, value, weight, trust: 1.0, share, measured });
+                let point = Point { row, observation: index, value, weight, trust: 1.0, share, measured, excluded };
+                plan.points.push(point);
             }
         }
         plan.points.sort_by_key(|point| (point.row, point.observation));

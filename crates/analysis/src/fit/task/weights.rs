@@ -109,6 +109,7 @@ mod tests {
             trust: 1.0,
             share: 1.0,
             measured: true,
+            excluded: false,
         };
         let values = [(0, 1.0), (1, -2.0), (0, 2.0), (1, -2.0), (0, 6.0), (1, -2.0)];
         let points = values.into_iter().enumerate().map(point).collect();

@@ -85,7 +85,7 @@ fn a_fit_that_misses_the_record_is_in_doubt() {
     while desk.advance_fit() {}
     assert_eq!(desk.play().course().parameters(), before);
     let detail = desk.fits().detail(desk.fits().list()[0].id).unwrap();
-    assert!(detail.sentences[0].starts_with("The curve explains less than half of the variance"), "{detail:?}");
+    assert!(detail.sentences[0].starts_with("The curve misses the data"), "{detail:?}");
     assert_eq!(detail.doubt.unwrap(), "The model does not describe these data.");
     let said = std::iter::from_fn(|| desk.take_announcement()).last().unwrap();
     let why = said.text(desk.play());

@@ -131,6 +131,9 @@ mod tests {
         Unit::parse(text).unwrap()
     }
 
+    /// Unit in which numbers have been read, theories as for [`read`], swing of the numbers, and expected unit.
+    type Case<'a> = (Option<&'a str>, &'a [(&'a str, f64)], f64, &'a str);
+
     /// Theories that declare these units, with swings of their own runs in metres; numbers that swing by `numbers`.
     fn read(present: Option<&str>, theories: &[(&str, f64)], numbers: f64) -> String {
         let theories: Vec<Expectation> = theories
@@ -148,7 +151,7 @@ mod tests {
 
     #[test]
     fn one_unit_holds_for_all_theories() {
-        let cases: [(Option<&str>, &[(&str, f64)], f64, &str); 14] = [
+        let cases: [Case; 14] = [
             (None, &[("cm", 0.06)], 5.0, "cm"),
             // A small swing is no reason to doubt the theory's unit, one that is far too small is.
             (None, &[("cm", 0.06)], 0.5, "cm"),

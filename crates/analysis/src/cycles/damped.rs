@@ -215,7 +215,7 @@ impl Damped {
 
 /// Second and third harmonic of an oscillation with this basis, which decay like it: cosine and sine of each.
 pub(crate) fn harmonics(basis: &[(f64, f64)]) -> Vec<Vec<f64>> {
-    let mut columns = vec![Vec::with_capacity(basis.len()); 4];
+    let mut columns: Vec<Vec<f64>> = (0..4).map(|_| Vec::with_capacity(basis.len())).collect();
     for &(c, s) in basis {
         let size = libm::hypot(c, s).max(f64::MIN_POSITIVE);
         let (cosine, sine) = (c / size, s / size);

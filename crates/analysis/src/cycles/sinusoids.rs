@@ -58,7 +58,8 @@ impl Windows<'_> {
             blocks.push(block);
         }
         let harmonics = 4.0 * fits.len() as f64;
-        if !(explained / harmonics > HARMONIC * left / freedom) {
+        let is_significant = explained / harmonics > HARMONIC * left / freedom;
+        if !is_significant {
             return None;
         }
         Some(self.measured(&blocks, |window, variance, rho| {

@@ -93,8 +93,8 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
     let numbers = |values: &[f64]| values.iter().copied().map(Number).collect();
     let independent = &fitted.theory.document.program.model.independent;
     let excluded = excluded_rows(data, &arguments.exclude).ok()?;
-    let parts = task.records.iter().zip(data).zip(columns).zip(&excluded);
-    let part = |(((record, measured), columns), excluded): (((&Record, &Measured), &Vec<usize>), &Vec<bool>)| {
+    let part = |(place, record): (usize, &Record)| {
+        let (measured, columns, excluded) = (data.get(place)?, columns.get(place)?, excluded.get(place)?);
         let unit_of = |column: usize, else_in: &Unit| {
             let own = measured.table.columns.get(column).and_then(|column| column.unit.clone());
             own.unwrap_or_else(|| else_in.clone()).text
@@ -133,7 +133,7 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
             parameters: numbers(&task.parameters),
             varied: task.varied.iter().map(write_varied).collect(),
             loss: Some(task.loss.code().to_owned()).filter(|_| task.loss != analysis::fit::Loss::Squares),
-            records: parts.map(part).collect::<Option<_>>()?,
+            records: task.records.iter().enumerate().map(part).collect::<Option<_>>()?,
         },
         found: format::Found {
             values: outcome.parameters.iter().map(|one| Number(one.value)).collect(),

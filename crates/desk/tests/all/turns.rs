@@ -19,7 +19,7 @@ fn records_are_drawn_and_fitted_in_the_kind_of_the_quantity() {
         let shown = if own == "rpm" { "Hz" } else { "rpm" };
         let text = format!(
             "---\ntitle: Turns\nuntil: 5 [s]\nvary: w\n---\n\n```model\nparameter w = 1 [{own}] in 0..100000\n\
-             x' = 0*x/(1 [s])\nx(0) = 1\nq = w*x\n```\n\n```plots\n\"Own\": q against t\n\"Other\": q in [{shown}] against t\n```\n"
+             x' = 0*x/(1 [s])\nx(0) = 1\nq = w\n```\n\n```plots\n\"Own\": q against t\n\"Other\": q in [{shown}] against t\n```\n"
         );
         for (unit, column) in UNITS {
             let what = format!("a column in {unit} for {own}");

@@ -47,6 +47,12 @@ impl Fixed {
         self.ends = [start, end];
     }
 
+    /// [`Fixed::step`] for searches within a step, compiled once.
+    #[inline(never)]
+    pub fn repeat(&mut self, equations: &mut Equations, time: f64, size: f64, from: &[f64], to: &mut [f64]) {
+        self.step(equations, time, size, from, to);
+    }
+
     /// Indices of each position and its velocity, for velocity Verlet; `order` as in [`Equations::order`].
     pub fn pairs(&self, order: Option<&[u32]>) -> Vec<(usize, usize)> {
         let state = |place: usize| order.map_or(place, |order| order[place] as usize);

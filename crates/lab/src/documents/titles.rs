@@ -24,6 +24,7 @@ pub fn title(code: &str, language: Language) -> &'static str {
         | "bare-number"
         | "bare-tolerance"
         | "radians"
+        | "cycles-in-sine"
         | "temperature-scale" => language.say("Units"),
 
         // Writing.

@@ -68,7 +68,10 @@ impl Figures<'_> {
         if plot.ordered {
             return found;
         }
-        let distance = |sample: &Sample| (sample.at.x - at.x).powi(2) + (sample.at.y - at.y).powi(2);
+        let distance = |sample: &Sample| {
+            let (across, down) = (sample.at.x - at.x, sample.at.y - at.y);
+            across * across + down * down
+        };
         found.into_iter().min_by(|one, other| distance(one).total_cmp(&distance(other))).into_iter().collect()
     }
 }

@@ -17,7 +17,15 @@ impl Outcome {
     /// the values do not vary.
     pub fn nearness_text(&self, language: Language) -> Option<String> {
         let share = self.largest_share()?;
-        let (name, percent) = (&share.of.name, plain(100.0 * share.value, 2, language.style()));
+        let name = &share.of.name;
+        if share.value >= 2.0 {
+            let times = plain(share.value, 2, language.style());
+            return Some(say!(
+                language,
+                "The curve misses the data: the RMS residual of {name} is {times} times its swing from peak to peak."
+            ));
+        }
+        let percent = plain(100.0 * share.value, 2, language.style());
         Some(match self.nearness(share) {
             Nearness::Met => say!(
                 language,

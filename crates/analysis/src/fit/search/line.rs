@@ -26,7 +26,8 @@ const SPACING: f64 = 0.5;
 pub(crate) fn lines(times: &[f64], values: &[f64], most: usize, rows: usize) -> Vec<Line> {
     let (Some(first), Some(last)) = (times.first(), times.last()) else { return Vec::new() };
     let span = last - first;
-    if times.len() < FEWEST || !(span > 0.0) || is_white_noise(values) {
+    let is_extended = span > 0.0;
+    if times.len() < FEWEST || !is_extended || is_white_noise(values) {
         return Vec::new();
     }
     let stride = times.len().div_ceil(rows.min(ROWS));

@@ -300,7 +300,7 @@ fn starts_of(
 }
 
 /// Gives the starts of a formula their best linear numbers and phases, and keeps the best ones.
-fn complete(problem: &mut Problem, (record, plan): (usize, &Plan), setters: &[Setter], starts: &mut Vec<Vec<f64>>) {
+fn complete(problem: &mut Problem, (record, plan): (usize, &Plan), setters: &[Setter], starts: &mut [Vec<f64>]) {
     let plan = start::thinned(plan);
     let roles = start::roles(problem);
     let mine: Vec<usize> =

@@ -1,6 +1,6 @@
 //! Decision whether a theory has a constant of its own, or needs an offset of the readings.
 
-use program::{Compiled, Model, Node, NodeId, along};
+use program::{Binary, Compiled, Model, Node, NodeId, along};
 
 /// Maximum number of parameters that are shifted together.
 const MOST_TOGETHER: usize = 5;
@@ -34,7 +34,10 @@ fn shifts(model: &Model, quantity: NodeId, parameters: &[usize]) -> bool {
         node => own(node),
     };
     let rates = along(&mut graph, &rates, moved);
-    let quantity = along(&mut graph, &[quantity], moved);
+    // A term times 0 adds nothing, although the graph keeps it for values that are not finite.
+    let vanishing = |node: Node| matches!(node, Node::Binary(Binary::Multiply, a, b) if [a, b].contains(&zero));
+    let quantity = graph.substitute(&[quantity], |_, node| vanishing(node).then_some(zero));
+    let quantity = along(&mut graph, &quantity, moved);
     model.events.is_empty()
         && starts.iter().all(|start| graph.as_constant(*start).is_some())
         && rates.iter().all(|rate| *rate == zero)

@@ -43,8 +43,10 @@ fn the_sentinel_is_named_and_no_good_value() {
     assert_eq!(
         [Language::English, catalogues::with(Language::Spanish)].map(|language| misled.verdict_text(language)),
         [
-            "The residuals cannot be used to judge the model: outliers dominate the fit.",
-            "Los residuos no sirven para juzgar el modelo: los valores atípicos dominan el ajuste.",
+            "The curve misses the data: the RMS residual of y is 2175 times its swing from peak to peak. The residuals cannot be \
+             used to judge the model: outliers dominate the fit.",
+            "La curva no coincide con los datos: el residuo RMS de y es 2175 veces su amplitud de pico a pico. Los residuos no \
+             sirven para juzgar el modelo: los valores atípicos dominan el ajuste.",
         ]
     );
     assert!(!fit(Loss::Huber, &[(40, 9999.0)]).misled);

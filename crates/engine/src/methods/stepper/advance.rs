@@ -192,7 +192,7 @@ impl Stepper {
         let (equations, time) = (&mut self.equations, self.time);
         if !self.surfaces.is_empty() {
             let (from, to) = ((time, self.state.as_slice()), (end, self.next.as_slice()));
-            let mut state_at = |since: f64, out: &mut [f64]| method.step(equations, time, since, from.1, out);
+            let mut state_at = |since: f64, out: &mut [f64]| method.repeat(equations, time, since, from.1, out);
             let (low, happened) = self.surfaces.look_between(time, None, from, to, &mut state_at);
             if happened.is_some() || self.surfaces.crossed(end, &self.next) {
                 let expected = expected.filter(|_| happened.is_none());

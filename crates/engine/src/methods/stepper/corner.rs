@@ -30,6 +30,7 @@ impl Stepper {
     const NEAR: f64 = 1024.0;
 
     /// Makes a step of a fixed-step method of at most `size` towards `end` (both SI) after one of that size has failed.
+    #[cold]
     pub(super) fn shortened(&mut self, mut size: f64, end: f64) -> Result<Option<Early>, RunError> {
         let cause = self.not_finite();
         let least = f64::EPSILON * end;
@@ -50,6 +51,7 @@ impl Stepper {
     /// at the present state (Euler). Without a corner nearby, it makes the shortest step if it `may_creep`: a stage can be beyond a
     /// corner that the rates only point to after it. `shortest` and `end` are the size of that step and its latest end, SI units.
     /// Returns `None` if that cannot help.
+    #[cold]
     pub(super) fn cross(&mut self, shortest: f64, end: f64, may_creep: bool) -> Option<Option<Early>> {
         if !self.may_shorten() {
             return None;
@@ -102,6 +104,7 @@ impl Stepper {
     /// Moves the state before the crossing found last by roundings to where the rates are least, if one of them is nearly 0 there. A
     /// motion that comes to rest on a corner, as the levels of two tanks do, otherwise goes to and fro about it where no sum of
     /// rounded numbers is exactly there.
+    #[cold]
     pub(super) fn rest_on_corner(&mut self) {
         let Self { equations, surfaces, time, next: state, .. } = self;
         let (mut rates, mut usual) = (vec![0.0; state.len()], vec![0.0; state.len()]);
@@ -128,6 +131,7 @@ impl Stepper {
 
     /// Rates at the present state and at the state before the switch found last, at the time `before` (SI), if a doubt of the search
     /// for jumps is to be judged by them; otherwise empty.
+    #[cold]
     pub(super) fn rates_around(&mut self, before: f64) -> [Vec<f64>; 2] {
         let mut rates = [Vec::new(), Vec::new()];
         if self.surfaces.doubts_jump(self.time - self.step) {
@@ -142,6 +146,7 @@ impl Stepper {
 
     /// Drops the doubt if the rates do not jump at the switch, as those of `sign(h)*sqrt(abs(h))` where h passes 0: the interpolant
     /// is wrong at such a corner, but a switch that is skipped there has no effect. `rates` as [`Stepper::rates_around`].
+    #[cold]
     pub(super) fn drop_doubt(&mut self, began: f64, [usual, before]: &[Vec<f64>; 2]) {
         if before.is_empty() {
             return;
@@ -163,6 +168,7 @@ impl Stepper {
     }
 
     /// Cause of a failed step.
+    #[cold]
     pub(super) fn not_finite(&self) -> Cause {
         let state = match &self.solver {
             Solver::Fixed(_) => &self.next,

@@ -83,7 +83,7 @@ fn expressions_are_not_converted() {
         ("T = 2 [s]\nq = 2*pi/T in [rad/s]", TAU / 2.0, "rad/s"),
         ("f = 3 [Hz]\nq = 2*pi*f in [rad/s]", 3.0 * TAU, "rad/s"),
         ("f = 3 [Hz]\nw = 2*pi*f\nq = w in [Hz]", 3.0 * TAU, "Hz"),
-        ("f = 3 [Hz]\nw = 6.2832*f\nq = w in [rad/s]", 3.0 * 6.2832, "rad/s"),
+        ("f = 3 [Hz]\nw = 6.28*f\nq = w in [rad/s]", 18.84, "rad/s"),
         ("f = 3 [Hz]\nturn = 2*pi\nw = turn*f\nq = w in [rad/s]", 3.0 * TAU, "rad/s"),
         ("f = 3 [Hz]\nw = 360 [deg]*f\nq = w in [rad/s]", 3.0 * TAU, "rad/s"),
         ("w = 3 [rad/s]\nv = 2 [rad/s]\nq = w*(w/v) in [Hz]", 4.5, "Hz"),

@@ -76,9 +76,9 @@ pub fn assumed_unit(present: Option<&Unit>, theories: &[Expectation]) -> Option<
     })
 }
 
-/// True if numbers mean the same in both units.
+/// True if numbers mean the same in both units, which is not so of Hz and rad/s.
 pub fn is_same(one: &Unit, other: &Unit) -> bool {
-    one.dimension == other.dimension && one.to_si(1.0) == other.to_si(1.0)
+    one.dimension == other.dimension && one.to_si_of(1.0, other) == other.to_si(1.0)
 }
 
 /// Distance from the lowest to the highest value, without 2 % of the values at either end; 0 without finite values.
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn one_unit_holds_for_all_theories() {
-        let cases: [Case; 14] = [
+        let cases: [Case; 15] = [
             (None, &[("cm", 0.06)], 5.0, "cm"),
             // A small swing is no reason to doubt the theory's unit, one that is far too small is.
             (None, &[("cm", 0.06)], 0.5, "cm"),
@@ -167,6 +167,8 @@ mod tests {
             (None, &[("cm", 0.06), ("m", 0.08)], 0.5, "cm or m"),
             (Some("cm"), &[("m", 0.08)], 4.1, "cm"),
             (Some("cm"), &[("m", 0.08)], 0.5, "cm or m"),
+            // One counts cycles, the other angles.
+            (None, &[("Hz", 1.0), ("rad/s", 1.0)], 1.0, "Hz or rad/s"),
             (None, &[], 1.0, ""),
         ];
         for (present, theories, numbers, expected) in cases {

@@ -99,7 +99,7 @@ pub enum UnitOrigin {
     Compared,
     /// The user.
     Person,
-    /// Nobody states it: it is assumed for the theories.
+    /// Stated nowhere: it is assumed for the theories.
     Assumed,
 }
 

@@ -98,7 +98,7 @@ fn all_theories_read_a_column_in_one_unit() {
             assert_eq!(found, expected, "{units:?} {size}");
         }
     }
-    // What is stated holds, in the file or by a person, however odd the numbers are.
+    // A stated unit holds, in the file or by a person, however odd the numbers are.
     for (heading, unit) in [("t [s] y [cm] flag\n", None), ("", Some("#2=cm"))] {
         let settings =
             settings(|settings| settings.unit = unit.into_iter().map(|unit| assignment(unit).unwrap()).collect());

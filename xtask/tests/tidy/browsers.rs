@@ -4,8 +4,8 @@
 use crate::texts::{product, root, texts};
 use std::path::Path;
 
-/// What throws or drops a whole rule in Safari 16.4, with the version of Safari that has it. What an older browser merely leaves out,
-/// such as a property, is not among them.
+/// Features that throw or drop a whole rule in Safari 16.4, with the version of Safari that has them. Properties, which an older
+/// browser merely leaves out, are not among them.
 const NEWER: [(&str, &str); 44] = [
     // Selectors.
     (":popover-open", "17.0"),

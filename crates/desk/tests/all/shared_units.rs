@@ -41,7 +41,7 @@ fn a_ranking_reads_a_column_in_one_unit() {
         while desk.advance_fit() {}
         let fits = desk.fits().list();
         assert_eq!(fits.len(), 2);
-        // The same curve, so neither is better.
+        // Both theories have one curve, so neither is better.
         assert!(fits.iter().all(|fit| fit.difference == "0.0"), "{open} {size} {fits:?}");
         let said = desk.fits().detail(fits[0].id).unwrap().sentences.join(" ");
         assert!(said.contains(&format!("its numbers are read in {expected}.")), "{said}");

@@ -5,7 +5,7 @@ use crate::refusal::Refusal;
 use analysis::table::Table;
 use std::ops::RangeInclusive;
 
-/// What a text of `--exclude` names.
+/// Rows named by a text of `--exclude`.
 enum Excluded<'a> {
     /// Rows by their numbers, from 1, in the record of this number, from 1; `None` without one.
     Rows(Option<usize>, RangeInclusive<usize>),

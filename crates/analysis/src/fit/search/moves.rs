@@ -267,7 +267,7 @@ fn starts_of(
         true => distinct(&mut seen.iter().copied().chain(doubled).chain(combined)),
         false => seen.clone(),
     };
-    // Numbers that have run to an end of their ranges, or to 0, begin anew.
+    // Numbers that have run to an end of their ranges, or to 0, begin again.
     let away = |column: usize| best.at_bound(column) || best.x[column].abs() < 1e-3 * problem.own[column].abs();
     let base: Vec<f64> =
         (0..best.x.len()).map(|column| if away(column) { problem.own[column] } else { best.x[column] }).collect();

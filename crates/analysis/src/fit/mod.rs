@@ -27,6 +27,7 @@ pub use search::robust::Reweighted;
 pub use task::bind::{BindError, observation};
 pub use task::film_scale::FilmScale;
 pub use task::offset::lacks_constant;
+pub use task::tied::TiedParameter;
 pub use task::{FitError, Observation, Record, Target, Task, Varied};
 pub use trace::Trace;
 pub use uncertainty::estimate::Estimate;

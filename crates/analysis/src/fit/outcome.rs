@@ -217,7 +217,7 @@ pub(super) fn outcome(problem: &mut Problem, best: &Search, reweighting: &Reweig
         correlation: estimate::correlation(&covariance.textbook, best.x.len(), parameters.len()),
         undetermined: lacks,
         undersampled: if course.finished { undersampled(problem, best) } else { Vec::new() },
-        settings: (0..problem.task.records.len()).map(|record| problem.parameters(record, &best.x)).collect(),
+        settings: (0..problem.task.records.len()).map(|record| problem.settings(record, &best.x)).collect(),
         origins: origins(problem, best),
         parameters,
         scales,

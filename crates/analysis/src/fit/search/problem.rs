@@ -12,6 +12,8 @@ use crate::fit::task::plan;
 use crate::fit::task::plan::{Layout, Plan, Point};
 use crate::fit::task::scale;
 use crate::fit::task::scale::Prior;
+use crate::fit::task::tied;
+use crate::fit::task::tied::Ties;
 use crate::fit::task::{FitError, Record, Target, Task};
 use crate::fit::task::{check, weights};
 use crate::fit::{MOST_VALUES, MOST_VARIED};
@@ -26,8 +28,10 @@ pub(crate) struct Problem {
     pub model: Model,
     /// Curve of the model.
     pub curve: Curve,
-    /// Task of the fit.
+    /// Task of the fit, with tied parameters replaced.
     pub task: Task,
+    /// Values of the tied parameters.
+    pub ties: Ties,
     /// Numbers of the search.
     pub columns: Vec<Column>,
     /// Bounds of each column, SI: given, else the range of the parameter, else infinite.
@@ -66,8 +70,10 @@ impl Problem {
     const TOLERANCES_OF_MOTION: [f64; curve::TOLERANCES.len()] = [1e-8, 1e-10, 1e-12];
 
     /// Checks and prepares a task.
-    pub fn new(model: &Model, task: Task) -> Result<Self, FitError> {
+    pub fn new(model: &Model, mut task: Task) -> Result<Self, FitError> {
         check::task(&task)?;
+        let (model, ties) = tied::replace(model, &mut task)?;
+        let model = &model;
         if model.is_random() {
             return Err(FitError::Model(words(
                 "a model that draws at random is not fitted: each seed gives another curve",
@@ -116,6 +122,7 @@ impl Problem {
             own: columns::own_start(&task, &columns, &plans),
             curve,
             task,
+            ties,
             columns,
             tones,
             layout,
@@ -212,7 +219,7 @@ impl Problem {
         self.curve.set_tolerance(curve::TOLERANCES[precision]);
     }
 
-    /// Values of all parameters of the model in a record, SI, with the varied ones from `x`.
+    /// Values of all parameters of the fit's model in a record, SI, with the varied ones from `x`.
     pub fn parameters(&self, record: usize, x: &[f64]) -> Vec<f64> {
         let mut parameters = self.task.parameters.clone();
         for &(index, value) in &self.task.records[record].fixed {
@@ -229,6 +236,11 @@ impl Problem {
             }
         }
         parameters
+    }
+
+    /// Values of all parameters of the caller's model in a record, SI, with the varied ones from `x`.
+    pub fn settings(&self, record: usize, x: &[f64]) -> Vec<f64> {
+        self.ties.complete(&self.model, self.parameters(record, x))
     }
 
     /// Parameters and times of the solution for a record.

@@ -7,12 +7,14 @@ pub(in crate::fit) mod film_scale;
 pub(in crate::fit) mod offset;
 pub(in crate::fit) mod plan;
 pub(in crate::fit) mod scale;
+pub(in crate::fit) mod tied;
 pub(in crate::fit) mod weights;
 
 use super::search::loss::Loss;
 use engine::Method;
 use program::Compiled;
 use serde::{Deserialize, Serialize};
+use tied::TiedParameter;
 use units::Unit;
 
 /// One measured column, bound to an expression of the model.
@@ -113,6 +115,8 @@ pub struct Task {
     pub records: Vec<Record>,
     /// Varied numbers.
     pub varied: Vec<Varied>,
+    /// Parameters whose values are expressions of others.
+    pub tied: Vec<TiedParameter>,
     /// Begin of the fitted part, a reading of the clock in SI; `None`: from the first value.
     pub from: Option<f64>,
     /// End of the fitted part, inclusive; `None`: to the last value.
@@ -149,6 +153,10 @@ pub enum FitError {
     },
     /// A number is varied twice, or both varied and fixed: its index in [`Task::varied`].
     VariedTwice(usize),
+    /// A parameter is tied to itself, perhaps by way of others: its index in the model.
+    TiedInCircle(usize),
+    /// A parameter is tied twice, or to what is no number or changes during a run: its index in the model.
+    BadTie(usize),
     /// The relative error of the lengths of a record is not finite or not greater than 0: index in [`Task::records`].
     BadScaleError(usize),
     /// The lower bound is not below the upper one: index in [`Task::varied`].
@@ -185,6 +193,8 @@ impl std::fmt::Display for FitError {
                 write!(f, "{values} values cannot determine {varied} numbers")
             }
             Self::VariedTwice(_) => f.write_str("a number is varied twice, or varied and fixed"),
+            Self::TiedInCircle(_) => f.write_str("a parameter is tied to itself"),
+            Self::BadTie(_) => f.write_str("a parameter is tied twice, or to what is no constant number"),
             Self::BadScaleError(_) => f.write_str("the standard error of the scale is not greater than 0"),
             Self::BadBounds(_) => f.write_str("the lower bound is not below the upper one"),
             Self::BadStart(_) => f.write_str("a start is not a finite number"),

@@ -125,7 +125,9 @@ pub(in crate::fit) fn estimates(
     distinct.dedup();
     let mut derived_values = Derived::new(model, &distinct);
     let mut derived = Vec::new();
-    let own_values = problem.columns.iter().any(|column| !column.is_scale() && column.record.is_some());
+    let varied = problem.columns.iter().any(|column| !column.is_scale() && column.record.is_some());
+    let own_values = problem.task.records.len() > 1
+        && (varied || problem.task.records.iter().any(|record| !record.fixed.is_empty()));
     let records = if own_values { problem.task.records.len() } else { 1 };
     for record in 0..records {
         let (values, slopes) = derived_values.evaluate(&problem.parameters(record, &best.x));

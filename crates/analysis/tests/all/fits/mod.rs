@@ -15,6 +15,7 @@ mod robust;
 mod scale;
 mod sentinels;
 mod starts;
+mod tied;
 mod undersampled;
 mod undetermined;
 mod utube;

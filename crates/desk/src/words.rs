@@ -106,7 +106,10 @@ pub(crate) fn fit_error(language: Language, error: &FitError) -> String {
             return say!(language, "{values} values cannot determine {varied} numbers.");
         }
         FitError::TooLarge => language.say("There are too many values or too many varied numbers."),
-        FitError::VariedTwice(_) | FitError::BadBounds(_) => language.say("The ranges leave no room."),
+        // No fit of the page ties parameters.
+        FitError::VariedTwice(_) | FitError::BadBounds(_) | FitError::TiedInCircle(_) | FitError::BadTie(_) => {
+            language.say("The ranges leave no room.")
+        }
         FitError::BadStart(_) | FitError::BadValue(_) => {
             language.say("The value of a parameter is not a finite number.")
         }

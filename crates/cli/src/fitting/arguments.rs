@@ -14,6 +14,7 @@ Examples:
   meniscus fit linear.md run3.txt --observe y=2 --vary gamma,y_0,v_0 --fix L='21 [cm]'
   meniscus fit linear.md run3.txt --observe y --from 1 --until 6  the rest is predicted
   meniscus fit linear.md *.txt --observe y --share L --vary L,gamma,y_0,v_0
+  meniscus fit linear.md run1.txt run2.txt --observe y --tie 'L:2=2*L:1'  the second column is twice as long
   meniscus fit linear.md run3.txt --observe y --error y='1 [mm]' --profile
   meniscus fit linear.md run3.txt --observe y --loss tukey        outliers count less
   meniscus fit linear.md run3.txt --observe y --exclude 17,20..30 --exclude t=1.5..2
@@ -65,6 +66,10 @@ pub struct Common {
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub fix: Vec<Assignment>,
 
+    /// Tie a parameter to others, L2=2*L1; L:2 is L in the second record
+    #[arg(long, value_name = "NAME=EXPRESSION", value_parser = assignment)]
+    pub tie: Vec<Assignment>,
+
     /// Begin the search here; of a list w=3,5,8 or a range w='3..9 step 1' the best search counts
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     pub start: Vec<Assignment>,
@@ -109,6 +114,7 @@ impl From<&Common> for FitSettings {
             vary: arguments.vary,
             share: arguments.share,
             fix: arguments.fix,
+            tie: arguments.tie,
             start: arguments.start,
             bounds: arguments.bounds,
             error: arguments.error,

@@ -90,6 +90,10 @@ fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Pro
 
 fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &Common) -> Option<format::Fit> {
     let (task, outcome) = (&fitted.task, &fitted.outcome);
+    // A hand-in has no place for expressions between parameters.
+    if !task.tied.is_empty() {
+        return None;
+    }
     let numbers = |values: &[f64]| values.iter().copied().map(Number).collect();
     let independent = &fitted.theory.document.program.model.independent;
     let excluded = excluded_rows(data, &arguments.exclude).ok()?;

@@ -95,6 +95,7 @@ impl ShownFits<'_> {
             method: document.program.method.unwrap_or_default(),
             records,
             varied: definition.varied.clone(),
+            tied: Vec::new(),
             from: definition.window[0],
             until: definition.window[1],
             loss: definition.loss,

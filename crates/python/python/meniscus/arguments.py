@@ -110,7 +110,7 @@ def settings(until, set, start, preset, press, draw, method, step, tolerance, se
     return stated
 
 
-def fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude) -> dict[str, Any]:
+def fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude) -> dict[str, Any]:
     """Settings of a fit."""
     if isinstance(observe, Mapping):
         observed: list[Any] = [(quantity, str(column)) for quantity, column in observe.items()]
@@ -120,6 +120,7 @@ def fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, u
         "observe": observed,
         "vary": names(vary),
         "fix": by_name("fix", fix),
+        "tie": by_name("tie", tie),
         "start": by_name("start", start),
         "bounds": [(name, _range(given)) for name, given in items("bounds", bounds or {})],
         "share": names(share),

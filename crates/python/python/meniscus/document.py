@@ -192,6 +192,7 @@ class Document:
         *,
         vary: str | Sequence[str] | None = None,
         fix: Mapping[str, Value | Sequence[Value]] | None = None,
+        tie: Mapping[str, Value] | None = None,
         start: Mapping[str, Value | Sequence[Value]] | None = None,
         bounds: Mapping[str, str | tuple[Value | None, Value | None]] | None = None,
         share: str | Sequence[str] | None = None,
@@ -209,8 +210,8 @@ class Document:
 
         ``observe``: the measured quantity, or the column of each quantity. ``vary``: names of parameters, ``t_origin`` and
         ``y_offset``; without it, those that the document states, and the offset of the readings unless a parameter is such a
-        constant. ``fix``: parameters that are held; ``{"y_offset": 0}`` leaves out the offset. ``start``, ``bounds``: where is
-        searched; of several starts, ``{"w": [3, 5, 8]}`` or ``{"w": "3..9 step 1"}``, the best search counts. ``share``: numbers
+        constant. ``fix``: parameters that are held; ``{"y_offset": 0}`` leaves out the offset. ``tie``: parameters that are
+        expressions of others, ``{"L2": "2*L1"}``; ``L:2`` is ``L`` in the second record. ``start``, ``bounds``: where is searched; of several starts, ``{"w": [3, 5, 8]}`` or ``{"w": "3..9 step 1"}``, the best search counts. ``share``: numbers
         with one value in all records. ``error``: standard errors, values or columns. ``begin``, ``until``: the fitted part.
         ``against``: the column of the independent variable. ``unit``: units of columns that a file does not state. ``exclude``:
         rows that are left out, ``17`` (from 1), ``"20..30"``, ``"t=1.5..2"``, or a column that is not 0 in them. ``profile``: also
@@ -219,7 +220,7 @@ class Document:
         arrays: list[bytes] = []
         request = {
             "data": records(data, arrays),
-            "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
+            "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
             "profile": bool(profile),
         }
         value, buffers = asked("fit", [self._opened], request, arrays)
@@ -258,6 +259,7 @@ def rank(
     predict_from: Value | None = None,
     vary: str | Sequence[str] | None = None,
     fix: Mapping[str, Value | Sequence[Value]] | None = None,
+    tie: Mapping[str, Value] | None = None,
     start: Mapping[str, Value | Sequence[Value]] | None = None,
     bounds: Mapping[str, str | tuple[Value | None, Value | None]] | None = None,
     share: str | Sequence[str] | None = None,
@@ -278,7 +280,7 @@ def rank(
     arrays: list[bytes] = []
     request = {
         "data": records(data, arrays),
-        "settings": fit_settings(observe, vary, fix, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
+        "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
         "predict_from": None if predict_from is None else text(predict_from),
     }
     value, buffers = asked("rank", [document._opened for document in documents], request, arrays)

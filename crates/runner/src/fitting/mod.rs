@@ -3,6 +3,7 @@
 mod errors;
 mod exclude;
 mod fitted;
+mod fixed;
 mod json;
 mod lanes;
 mod offsets;
@@ -11,6 +12,7 @@ mod settings;
 mod starts;
 mod task;
 mod text;
+mod tied_parameters;
 mod units;
 
 pub use exclude::excluded_rows;

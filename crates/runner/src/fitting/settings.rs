@@ -29,6 +29,8 @@ pub struct FitSettings {
     pub bounds: Vec<Assignment>,
     /// Standard error of each observed quantity: a value, or the column that holds it.
     pub error: Vec<Assignment>,
+    /// Parameters whose values are expressions of others; `L:2` is the parameter L in the second record.
+    pub tie: Vec<Assignment>,
     /// Cost of residuals.
     pub loss: Loss,
     /// Beginning of the fitted part.

@@ -2,9 +2,11 @@
 
 use super::errors::{errors, errors_of_files, of_values};
 use super::exclude::excluded_rows;
+use super::fixed::{fix, without_offset};
 use super::offsets::default_offsets;
 use super::settings::FitSettings;
 use super::starts::Starts;
+use super::tied_parameters::tie;
 use crate::names::Assignment;
 use crate::records::{Measured, nothing_between};
 use crate::refusal::Refusal;
@@ -74,9 +76,10 @@ pub fn task(
         }
     }
     task.varied = if settings.vary.is_empty() {
-        // A fixed parameter is not varied.
+        // A parameter that is fixed or tied is not varied.
         let parameter = |name: &String| reader.model.parameters.iter().position(|own| own.name == *name);
-        let held: Vec<usize> = settings.fix.iter().filter_map(|fixed| parameter(&fixed.name)).collect();
+        let held = settings.fix.iter().chain(&settings.tie).filter_map(|held| parameter(&held.name));
+        let held: Vec<usize> = held.collect();
         task.varied = vary.into_iter().filter(|index| !held.contains(index)).map(Varied::parameter).collect();
         let offsets = default_offsets(reader.model, &task, &held);
         let wanted = |offset: &Varied| no_offset.iter().all(|place| offset.target != Target::Offset(*place));
@@ -87,6 +90,7 @@ pub fn task(
             settings.vary.iter().map(|name| target(&reader, name.trim(), &names)).collect();
         targets?.into_iter().map(|target| Varied { target, ..Varied::parameter(0) }).collect()
     };
+    tie(&mut reader, &mut task, settings)?;
     if task.varied.is_empty() {
         return Err(Refusal::with_hint(
             "nothing is varied",
@@ -238,75 +242,9 @@ fn offset_of(name: &str, observed: &[String]) -> Option<usize> {
     observed.iter().position(|observed| name == format!("{observed}_offset"))
 }
 
-/// `--fix y_offset=0`: a fit without an offset of the readings.
-fn without_offset(reader: &mut Reader, task: &Task, fixed: &Assignment) -> Result<(), Refusal> {
-    let number = fixed.value.split('[').next().unwrap_or_default();
-    match reader.value("--fix", number, &Unit::dimensionless(), &task.parameters) {
-        Ok(0.0) => Ok(()),
-        _ => Err(Refusal::with_hint(
-            format!("--fix {}={}: an offset can only be held at 0", fixed.name, fixed.value),
-            format!("write --fix {}=0, or subtract it from the readings", fixed.name),
-        )),
-    }
-}
-
 /// File name without its directory.
 fn short_name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
-}
-
-/// `--fix NAME=VALUE`, with one value for all records or one per record. NAME is a parameter or `t_origin`.
-fn fix(reader: &mut Reader, task: &mut Task, fixed: &Assignment) -> Result<(), Refusal> {
-    let values = task.parameters.clone();
-    let several = listed_values(&fixed.value);
-    let clock = reader.model.independent.clone();
-    let is_origin = fixed.name == format!("{}_origin", clock.name);
-    if several.len() > 1 {
-        if several.len() != task.records.len() {
-            let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
-            return Err(Refusal::with_hint(
-                format!(
-                    "--fix {}: {} for {}",
-                    fixed.name,
-                    count(several.len(), "value"),
-                    count(task.records.len(), "record")
-                ),
-                "give one value for all records or one for each; decimals have a point",
-            ));
-        }
-        for (record, value) in several.iter().enumerate() {
-            if is_origin {
-                task.records[record].origin = Some(reader.value("--fix", value, &clock.unit, &values)?);
-                continue;
-            }
-            let one = Assignment { name: fixed.name.clone(), value: (*value).to_owned() };
-            let assigned = reader.parameter("--fix", &one, &values)?;
-            task.records[record].fixed.push(assigned);
-        }
-        return Ok(());
-    }
-    if is_origin {
-        let reading = reader.value("--fix", &fixed.value, &clock.unit, &values)?;
-        task.records.iter_mut().for_each(|record| record.origin = Some(reading));
-        return Ok(());
-    }
-    let (index, value) = reader.parameter("--fix", fixed, &values)?;
-    task.parameters[index] = value;
-    Ok(())
-}
-
-/// Splits a list at the commas outside parentheses.
-fn listed_values(text: &str) -> Vec<&str> {
-    let mut depth = 0_usize;
-    let separates = |c: char| {
-        match c {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        c == ',' && depth == 0
-    };
-    text.split(separates).map(str::trim).collect()
 }
 
 /// Varied number of this name: a parameter, `t_origin`, or `y_offset`.

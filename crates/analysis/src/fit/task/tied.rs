@@ -76,7 +76,18 @@ pub(in crate::fit) fn replace(model: &Model, task: &mut Task) -> Result<(Model, 
             *node = substituted(&mut model, &[*node], (&tied, &free))[0];
         }
     }
-    for (&index, &node) in tied.iter().zip(&free) {
+    // The value in one record of a parameter that is tied in each is shown as the value of that parameter.
+    let own: Vec<usize> = task
+        .tied
+        .iter()
+        .filter(|tied| tied.values.len() > 1)
+        .flat_map(|tied| &tied.values)
+        .filter_map(|value| match model.graph.node(value.node) {
+            Node::Parameter(index) => Some(index as usize),
+            _ => None,
+        })
+        .collect();
+    for (&index, &node) in tied.iter().zip(&free).filter(|(index, _)| !own.contains(index)) {
         let Parameter { name, label, unit, hidden, .. } = model.parameters[index].clone();
         let value = Compiled { node, kind: Kind::Number, unit };
         model.quantities.push(Quantity { name, label, value, varies: false, hidden, remembered: false });

@@ -17,6 +17,15 @@ pub enum Announcement {
     RecordCancelled(String),
     /// Velocity and acceleration were computed from a column of the record of this name.
     DerivativesMade(String),
+    /// A row was left out of fits, or taken back (`counts`).
+    RowLeftOut {
+        /// Name of the record.
+        record: String,
+        /// Number of the row, from 1.
+        row: usize,
+        /// True if the row counts again.
+        counts: bool,
+    },
     /// The record of this name was removed.
     RecordRemoved(String),
     /// The fit of the theory of this title was removed.
@@ -40,6 +49,8 @@ impl Announcement {
     pub fn prominence(&self) -> Prominence {
         match self {
             Self::Play(announcement) => announcement.prominence(),
+            // The plot and the number of rows beside the button show it.
+            Self::RowLeftOut { .. } => Prominence::Spoken,
             Self::FitFailed(_) | Self::TheoriesLeftOut(_) => Prominence::Error,
             _ => Prominence::Shown,
         }

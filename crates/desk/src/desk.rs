@@ -251,6 +251,15 @@ impl Desk {
         self.noted(outcome)
     }
 
+    /// Leaves the row of a measured value out of fits, or takes it back. `column`: number of its column among all that are
+    /// drawn; `place`: index of the value, as in [`play::Points`].
+    pub fn leave_out(&mut self, column: usize, place: usize) {
+        let independent = &self.play.model().independent.name;
+        let Some((id, row)) = self.measured.row_of(&self.records, independent, column, place) else { return };
+        let counts = self.records.get(id).is_some_and(|record| !record.excluded().contains(&row));
+        self.change_records(|records, _| records.exclude(id, row, counts));
+    }
+
     /// Reads a file, text or workbook, as a record in one call. Each run of a logger and each data set becomes a record
     /// of its own; the id of the first is returned. No record changes if the file cannot be read.
     ///

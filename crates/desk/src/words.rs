@@ -171,6 +171,10 @@ impl Announcement {
             Self::FitFailed(NothingFound::TooManySteps) => language.say("Wherever it was tried, the model needs too many steps for this record: nothing was found. Fit a shorter part, or \
                  narrow the ranges of the parameters").to_owned(),
             Self::FitCancelled => language.say("Fit cancelled").to_owned(),
+            Self::RowLeftOut { record, row, counts: false } => {
+                say!(language, "{record}: row {row} is left out of fits")
+            }
+            Self::RowLeftOut { record, row, counts: true } => say!(language, "{record}: row {row} counts again"),
             Self::FitApplied(record) if record.is_empty() => {
                 language.say("The parameters have the fitted values").to_owned()
             }

@@ -104,6 +104,8 @@ pub struct Laboratory {
     store: &'static Store,
     /// Raised when records or the meaning of their columns have changed.
     pub records: Signal<u64>,
+    /// True while a press on a measured point in a plot leaves its row out of fits.
+    pub leaving_out: Signal<bool>,
     /// Raised when fits, their varied parameters or their results have changed.
     pub fits: Signal<u64>,
     /// True while files are being dragged over the page.
@@ -213,6 +215,7 @@ impl App {
             fits: counter(),
             dragging_files: create_signal(false),
             new_record: create_signal(None),
+            leaving_out: create_signal(false),
             films: Films::new(),
             class: Room::new(language),
             survey: SurveyRoom::new(),

@@ -119,6 +119,10 @@ table_of_words! {
     fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.";
     fit_vary: "Vary";
     fit_part: "Part of the record";
+    fit_leave_out: "Leave out points";
+    fit_leave_out_note: "Click a point in a plot (or arrow keys and Enter) to leave its row out of fits; once more takes it back.";
+    fit_rows_left_out: "Rows left out";
+    fit_take_back: "Take all back";
     fit_part_in_plot: "Take the part in the plot";
     fit_from: "From";
     fit_until: "until";

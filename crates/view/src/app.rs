@@ -59,6 +59,15 @@ pub trait Host {
     /// Called when a time in a plot against time is pointed at. `_time` computes this time of the run (SI) on demand.
     fn look_at(&self, _time: &mut dyn FnMut() -> Option<f64>) {}
 
+    /// True while a press on a measured point leaves its row out of fits or takes it back, instead of pinning the read-out.
+    fn leaves_points_out(&self) -> bool {
+        false
+    }
+
+    /// Leaves a measured point out of fits, or takes it back. `_column`: number of its column among all that are drawn;
+    /// `_place`: index of the point among the values of the column.
+    fn leave_out(&self, _column: usize, _place: usize) {}
+
     /// Selected part of the time axis, if the plots are to show it.
     fn part(&self) -> Option<Part> {
         None

@@ -8,6 +8,8 @@ use program::Compiled;
 pub(crate) struct Measured {
     /// Id of the record.
     pub record: u32,
+    /// Index of the column in the record.
+    pub column: usize,
     /// Name of the record.
     pub record_name: String,
     /// Quantity of the document that it measures.

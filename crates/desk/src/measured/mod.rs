@@ -9,6 +9,7 @@ mod residuals;
 pub use curves::{CurveAxis, MeasuredCurve};
 pub(crate) use curves::{axis, clock};
 
+use crate::records::Records;
 use data::{Measured, Outline, Residuals};
 use play::{Follows, PlotId};
 
@@ -47,6 +48,20 @@ impl MeasuredData {
     /// True if a measured quantity is drawn.
     pub fn has_points(&self) -> bool {
         !self.columns.is_empty()
+    }
+
+    /// Record and row of a measured value: id of the record, index of the row in its table. `column`: number of the column
+    /// among all that are drawn; `place`: index of the value.
+    pub(crate) fn row_of(
+        &self,
+        records: &Records,
+        independent: &str,
+        column: usize,
+        place: usize,
+    ) -> Option<(u32, usize)> {
+        let measured = self.columns.get(column)?;
+        let row = records.get(measured.record)?.row_of(measured.column, independent, place)?;
+        Some((measured.record, row))
     }
 
     /// Version of a series of points or residuals for [`figure::Series`], by its index in the plot. 0 for series

@@ -49,6 +49,7 @@ impl MeasuredData {
                     let (record, record_name, name) = (record.id(), record.name().to_owned(), name.clone());
                     measured.push(Measured {
                         record,
+                        column: index,
                         record_name,
                         name,
                         observed,
@@ -121,9 +122,11 @@ fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured], l
             };
             let label = format!("{} ({})", symbol(&curve.expression), shortened(&column.record_name));
             for unused in [false, true] {
-                let mut points = Points { curve: number, colour: points_colour(place), unused, ..Points::default() };
+                let colour = points_colour(place);
+                let mut points = Points { curve: number, colour, column: place, unused, ..Points::default() };
                 for (row, (time, value)) in column.times.iter().zip(&column.values).enumerate() {
                     let Some(x) = across(time).filter(|_| column.excludes(row) == unused) else { continue };
+                    points.places.push(row);
                     points.x.push(x);
                     points.y.push(up(value));
                     if !column.errors.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::records::recognise::{Meaning, measurable};
 use crate::records::{Records, ShownRecords};
-use crate::{Changes, OpenDocument, Refusal, number};
+use crate::{Announcement, Changes, OpenDocument, Refusal, number};
 use units::Unit;
 
 impl ShownRecords<'_> {
@@ -81,7 +81,11 @@ impl Records {
     pub fn exclude(&mut self, id: u32, row: usize, excluded: bool) -> Changes {
         let Some(record) = self.get_mut(id).filter(|record| row < record.table.rows()) else { return Changes::NONE };
         let changed = if excluded { record.excluded.insert(row) } else { record.excluded.remove(&row) };
-        Changes::RECORDS.only_if(changed)
+        if !changed {
+            return Changes::NONE;
+        }
+        let (record, row) = (record.name.clone(), row + 1);
+        Changes::RECORDS.announcing(Announcement::RowLeftOut { record, row, counts: !excluded })
     }
 
     /// Takes back all rows of a record that are left out of fits.

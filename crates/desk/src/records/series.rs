@@ -95,6 +95,17 @@ impl Record {
         Some(rows.into_iter().map(|(_, mark)| mark).collect())
     }
 
+    /// Row in the table of the value at this index of [`Record::series`].
+    pub fn row_of(&self, column: usize, independent: &str, place: usize) -> Option<usize> {
+        let own = self.table.columns.get(column)?;
+        let times = &self.table.columns.get(self.clock_of(&self.uses, column, independent)?)?.values;
+        let rows = times.iter().zip(&own.values).enumerate();
+        let rows = rows.filter(|(_, (time, value))| time.is_finite() && value.is_finite());
+        let mut rows: Vec<(f64, usize)> = rows.map(|(row, (time, _))| (*time, row)).collect();
+        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        rows.get(place).map(|(_, row)| *row)
+    }
+
     /// Index of the column with the times of a column. One that the user has set as the time has priority over the one that
     /// the file suggests.
     fn clock_of(&self, uses: &[Use], column: usize, independent: &str) -> Option<usize> {

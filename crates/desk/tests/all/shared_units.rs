@@ -70,6 +70,20 @@ fn a_row_that_is_left_out_counts_for_nothing_and_stays() {
     assert_eq!(fit.counts, (99, 4));
     let said = desk.fits().detail(fit.id).unwrap().sentences.join(" ");
     assert!(said.contains("Values left out by hand: 1."), "{said}");
+    // The value of a drawn column is that of its row, also in a record whose rows are not in the order of time.
+    desk.leave_out(0, 40);
+    assert_eq!(desk.records().list()[0].excluded, 0);
+    let mut rows: Vec<String> = record(1.0).lines().map(str::to_owned).collect();
+    rows.reverse();
+    let id = desk.add_record("reversed.txt", rows.join("\n").as_bytes()).unwrap();
+    desk.leave_out(1, 40);
+    let list = desk.records().list();
+    assert_eq!((list[0].excluded, list[1].excluded), (0, 1));
+    let announced = std::iter::from_fn(|| desk.take_announcement()).last();
+    assert_eq!(
+        announced,
+        Some(desk::Announcement::RowLeftOut { record: "reversed.txt".to_owned(), row: 60, counts: false })
+    );
     desk.change_records(|records, _| records.include_all(id));
     assert_eq!(desk.records().list()[0].excluded, 0);
 }

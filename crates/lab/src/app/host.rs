@@ -92,6 +92,20 @@ impl Host for Store {
         }
     }
 
+    fn leaves_points_out(&self) -> bool {
+        let asked = self
+            .app
+            .get()
+            .is_some_and(|app| app.leaving_out.get_untracked() && app.tab.get_untracked() == tabs::MEASURE);
+        asked && self.desk().is_some_and(|desk| desk.measured().has_points())
+    }
+
+    fn leave_out(&self, column: usize, place: usize) {
+        if let Some(app) = self.app.get() {
+            app.act_on_desk(|desk| desk.leave_out(column, place));
+        }
+    }
+
     fn part(&self) -> Option<Part> {
         let is_measuring = self.app.get().is_some_and(|app| app.tab.get_untracked() == tabs::MEASURE);
         self.desk()

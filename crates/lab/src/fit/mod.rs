@@ -1,5 +1,6 @@
 //! Fits in the page: started by a button, computed in slices between frames.
 
+mod leaving_out;
 mod report;
 mod results;
 mod setup;
@@ -59,7 +60,9 @@ fn steps(app: App) -> View {
         .child(begins(false).class("primary").id("fit").child(words.fit_begin))
         .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
         .child(changing(move || if busy.get() { running(app, starting) } else { View::new() }));
-    let record = step("record-step", "1", words.fit_step_record).child(setup::record(app, refusal));
+    let record = step("record-step", "1", words.fit_step_record)
+        .child(setup::record(app, refusal))
+        .child(leaving_out::view(app));
     let theory = step("theory-step", "2", words.fit_step_theory)
         .child(theories::view(app, suitability))
         .child(setup::varied(app, refusal));

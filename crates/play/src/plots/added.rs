@@ -29,6 +29,10 @@ pub struct Points {
     pub y: Vec<f64>,
     /// Standard errors of the ordinates; empty if there are none.
     pub errors: Vec<f64>,
+    /// Number of the measured column among all that are drawn.
+    pub column: usize,
+    /// Index of each point among the values of its column.
+    pub places: Vec<usize>,
     /// True if they are left out of fits, and drawn faintly.
     pub unused: bool,
     /// See [`figure::Series::version`].

@@ -253,6 +253,12 @@ impl Plots {
         (readout, Changes::NONE)
     }
 
+    /// Measured point nearest to a pixel of the last layout: number of its column among all that are drawn, and index among
+    /// the values of the column. `None` if no point is near.
+    pub fn measured_point(&mut self, run: OpenRun<'_>, id: PlotId, at: Point) -> (Option<(usize, usize)>, Changes) {
+        (self.seen(run).measured_point(id, at), Changes::NONE)
+    }
+
     /// Moves the keyboard cursor by `rows` rows along the run, initially from the present row, and returns the read-out
     /// there.
     pub fn move_cursor(&mut self, run: OpenRun<'_>, id: PlotId, rows: isize) -> (Option<Readout>, Changes) {

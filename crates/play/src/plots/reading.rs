@@ -21,6 +21,16 @@ impl Figures<'_> {
         Some(readout)
     }
 
+    /// Measured point nearest to a pixel: number of its column among all that are drawn, and index among the values of the
+    /// column. `None` if no point is near.
+    pub(super) fn measured_point(&self, PlotId(index): PlotId, at: Point) -> Option<(usize, usize)> {
+        let near = |sample: &Sample| distance(sample, at) <= REACH * REACH;
+        let nearest = self.points_near(index, at).into_iter().filter(near);
+        let nearest = nearest.min_by(|one, other| distance(one, at).total_cmp(&distance(other, at)))?;
+        let points = self.plots.states.get(index)?.points.get(nearest.series)?;
+        Some((points.column, *points.places.get(nearest.row)?))
+    }
+
     /// Read-out of an added plot, with the errors of values that have them.
     pub(super) fn with_errors(&self, added: &AddedPlot, mut readout: Readout) -> Readout {
         for sample in &mut readout.samples {
@@ -68,10 +78,12 @@ impl Figures<'_> {
         if plot.ordered {
             return found;
         }
-        let distance = |sample: &Sample| {
-            let (across, down) = (sample.at.x - at.x, sample.at.y - at.y);
-            across * across + down * down
-        };
-        found.into_iter().min_by(|one, other| distance(one).total_cmp(&distance(other))).into_iter().collect()
+        found.into_iter().min_by(|one, other| distance(one, at).total_cmp(&distance(other, at))).into_iter().collect()
     }
+}
+
+/// Square of the distance of a sample from a pixel.
+fn distance(sample: &Sample, at: Point) -> f32 {
+    let (across, down) = (sample.at.x - at.x, sample.at.y - at.y);
+    across * across + down * down
 }

@@ -219,7 +219,7 @@ pub fn key(app: App, id: PlotId, event: &KeyboardEvent) {
         ("Enter", false) => {
             let cursor = with_plot(app, id, |plot| plot.cursor.clone()).flatten();
             if let Some(readout) = cursor {
-                pins::pin(app, id, readout);
+                pins::press_at(app, id, readout);
             }
         }
         ("Escape", false) if pins::clear(app, id) => {}

@@ -10,8 +10,18 @@ use play::PlotId;
 /// Distance from a pin within which another press removes it, in CSS pixels.
 const NEAR: f32 = 12.0;
 
-/// Pins the read-out at a pixel, or removes the pin that is there.
+/// Pins the read-out at a pixel, or removes the pin that is there. Where measured points are being left out of fits, takes
+/// the nearest one instead.
 pub fn press(app: App, id: PlotId, at: Point) {
+    if app.host().leaves_points_out() {
+        if let Some((column, place)) =
+            app.read(|play| play.change_plots(|plots, run| plots.measured_point(run, id, at)))
+        {
+            app.host().leave_out(column, place);
+            app.wake();
+        }
+        return;
+    }
     let near = |pin: &Readout| {
         app.read(|play| {
             let figure = play.plots().figure(id)?;
@@ -28,6 +38,17 @@ pub fn press(app: App, id: PlotId, at: Point) {
     }
     if let Some(readout) = app.read(|play| play.change_plots(|plots, run| plots.hover(run, id, at))) {
         pin(app, id, readout);
+    }
+}
+
+/// [`press`] at the place of a read-out by keyboard.
+pub fn press_at(app: App, id: PlotId, readout: Readout) {
+    let place = |sample: &figure::Sample| {
+        app.read(|play| Some(play.plots().figure(id)?.place(sample.axis, sample.x, sample.y))).flatten()
+    };
+    match readout.samples.last().and_then(place).filter(|_| app.host().leaves_points_out()) {
+        Some(at) => press(app, id, at),
+        None => pin(app, id, readout),
     }
 }
 

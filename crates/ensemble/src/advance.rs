@@ -76,7 +76,7 @@ impl Ensemble {
                 };
                 let taking = Taking { until: self.grid.last, last, take: &mut take };
                 let at = Reached { time: reached.0, state: &reached.1, armed: &[], last: None, steps: 0 };
-                match alone.go_on([&parameters, &initial], &at, taking) {
+                match alone.go_on([&parameters, &initial], Some(&at), taking) {
                     Ok(Some(stepper)) => reached = (stepper.time(), stepper.state().to_vec()),
                     Ok(None) => break,
                     Err(error) => {
@@ -233,10 +233,13 @@ impl Ensemble {
         let armed = checks.as_ref().map(|checks| checks.armed(lane)).unwrap_or_default();
         let (time, made) = (time.unwrap_or(last.end), lanes.steps[lane]);
         let reached = Reached { time, state: &state, armed: &armed, last: Some(&last), steps: made };
+        // Before its first row nothing has been read, and the run begins again: on a corner, the first steps can be so short
+        // that a run continued after one of them finds another crossing.
+        let reached = (lanes.index[lane] > 0).then_some(&reached);
         let mut take = |time: f64, values: &[f64]| take(lane, time, values);
         let mut row = lanes.last_row(lane);
         let taking = Taking { until: grid.last, last: &mut row, take: &mut take };
-        let outcome = alone.go_on([&parameters, &initial], &reached, taking);
+        let outcome = alone.go_on([&parameters, &initial], reached, taking);
         lanes.set_last_row(lane, &row);
         let stepper = match outcome {
             Ok(Some(stepper)) => stepper,

@@ -95,15 +95,15 @@ impl<'a> Alone<'a> {
         Stepper::new(&self.model, &setup).err()
     }
 
-    /// Continues a run from a moment to its next row. `begun`: its parameters and initial values, SI units. Returns the stepper
-    /// there; `None` if an event has ended the run.
+    /// Continues a run from a moment, or from its beginning if `reached` is `None`, to its next row. `begun`: its parameters and
+    /// initial values, SI units. Returns the stepper there; `None` if an event has ended the run.
     ///
     /// # Errors
     /// The error of the run.
     pub fn go_on(
         &mut self,
         begun: [&[f64]; 2],
-        reached: &Reached,
+        reached: Option<&Reached>,
         mut taking: Taking,
     ) -> Result<Option<&Stepper>, RunError> {
         let Made { stepper, readings, values } = self.at(begun, reached)?;
@@ -129,18 +129,20 @@ impl<'a> Alone<'a> {
         end: f64,
         mut taking: Taking,
     ) -> Result<(), RunError> {
-        let Made { stepper, readings, values } = self.at(begun, reached)?;
+        let Made { stepper, readings, values } = self.at(begun, Some(reached))?;
         match stepper.finish(end, &mut Rows { readings, values, taking: &mut taking }) {
             Err(error) if !error.is_end() => Err(error),
             _ => Ok(()),
         }
     }
 
-    /// The stepper at a moment of a run.
-    fn at(&mut self, [parameters, initial]: [&[f64]; 2], reached: &Reached) -> Result<&mut Made, RunError> {
+    /// The stepper at a moment of a run, or at its beginning.
+    fn at(&mut self, [parameters, initial]: [&[f64]; 2], reached: Option<&Reached>) -> Result<&mut Made, RunError> {
         let made = self.made(parameters)?;
         made.stepper.begin(parameters.to_vec(), initial);
-        made.stepper.continue_at(reached);
+        if let Some(reached) = reached {
+            made.stepper.continue_at(reached);
+        }
         made.readings.prepare(parameters, initial);
         Ok(made)
     }

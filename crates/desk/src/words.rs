@@ -35,7 +35,7 @@ pub(crate) fn unit_asked(language: Language, record: &str, column: &str, units: 
     )
 }
 
-/// Legend entry of measured values that are left out of fits.
+/// Name of measured values that are left out of fits, in legends and read-outs.
 pub(crate) fn left_out(language: Language, points: &str) -> String {
     say!(language, "{points}, left out")
 }

@@ -136,8 +136,8 @@ fn points(model: &program::Model, plot: &program::Plot, measured: &[Measured], l
                 if unused && points.x.is_empty() {
                     continue;
                 }
-                points.source.clone_from(&column.record_name);
-                points.label = if unused { words::left_out(language, &label) } else { label.clone() };
+                let named = |name: &str| if unused { words::left_out(language, name) } else { name.to_owned() };
+                (points.source, points.label) = (named(&column.record_name), named(&label));
                 found.push(points);
             }
         }

@@ -64,7 +64,7 @@ impl<'a> Figures<'a> {
             return Some(plot);
         }
         for series in &mut plot.series {
-            if matches!(series.style, Style::Ghost | Style::Points) {
+            if matches!(series.style, Style::Ghost | Style::Points | Style::Unused) {
                 (series.x, series.y) = (&[], &[]);
             }
         }

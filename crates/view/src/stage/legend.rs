@@ -33,7 +33,7 @@ pub fn view(app: App, id: PlotId) -> View {
 fn name(entry: &LegendEntry) -> HtmlSpan {
     let of_model = match entry.style {
         Style::Faded(_) => 0,
-        Style::Points => entry.label.find(" (").unwrap_or(entry.label.len()),
+        Style::Points | Style::Unused => entry.label.find(" (").unwrap_or(entry.label.len()),
         _ => entry.label.len(),
     };
     let (of_model, own) = entry.label.split_at(of_model);
@@ -47,7 +47,7 @@ pub fn sample(style: Style, colour: u8) -> SvgSvg {
         _ => format!("color:var(--series-{})", usize::from(colour) % figure::SERIES_COLOURS),
     };
     let drawing = svg()
-        .class(if style == Style::Ghost { "sample faint" } else { "sample" })
+        .class(if matches!(style, Style::Ghost | Style::Unused) { "sample faint" } else { "sample" })
         .viewBox("0 0 24 8")
         .width("24")
         .height("8")
@@ -59,7 +59,7 @@ pub fn sample(style: Style, colour: u8) -> SvgSvg {
     };
     let dashes: Vec<String> = dash.lengths().iter().map(f32::to_string).collect();
     match style {
-        Style::Points | Style::Dots => drawing.child(tags::path().class("point").d("M12 4h0")),
+        Style::Points | Style::Unused | Style::Dots => drawing.child(tags::path().class("point").d("M12 4h0")),
         _ => drawing.child(tags::path().d("M0 4h24").attr("stroke-dasharray", dashes.join(" "))),
     }
 }

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { writeFileSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { eventually, temporary } from "../lab.mjs";
+import { eventually, meniscus, temporary } from "../lab.mjs";
 import { answer, join, school, shows, start, status, stop, teach } from "./class.mjs";
 
 const { visitor, faults } = school();
@@ -139,6 +139,31 @@ test("students with the laboratory: a fit reaches the dashboard by itself", asyn
     await eventually(async () => assert.match(await student.locator("#fit-step").innerText(), /9\.4\d* ± 0\.0\d*\s+cm/), 60);
     await shows(teacher, /1 group\b[^]*± 0\.0/, 90);
     await status(student, /^Everything is handed in/);
+    assert.deepEqual(faults, []);
+  } finally {
+    await stop(lesson);
+  }
+});
+
+test("each student has the assigned values of the own seat: those of `class assign`", async () => {
+  const document = "tests/page/course.md";
+  const assigned = JSON.parse(meniscus("class", "assign", document, "--seats", "3", "--format", "json")).seats.map(({ values }) => values[0]);
+  const lesson = await start({ what: [document] });
+  try {
+    const address = `${lesson.base}/d/course.md`;
+    const damping = (page) => page.getByRole("textbox", { name: /^Damping/ }).first();
+    for (const [place, value] of assigned.entries()) {
+      const student = await visitor({ locale: "en-GB" });
+      await join(student, lesson.code, address);
+      await eventually(async () => assert.equal(await student.getByLabel("Seat", { exact: true }).inputValue(), String(place + 1)));
+      assert.equal(Number(await damping(student).inputValue()), value);
+      assert.equal(await student.getByText("The link was not understood").count(), 0);
+      // A link that sets something else keeps the seat.
+      await student.goto("about:blank");
+      await student.goto(`${address}#1&p=k:5`);
+      await eventually(async () => assert.equal(Number(await student.getByRole("textbox", { name: /^Stiffness/ }).first().inputValue()), 5));
+      assert.equal(Number(await damping(student).inputValue()), value);
+    }
     assert.deepEqual(faults, []);
   } finally {
     await stop(lesson);

@@ -26,8 +26,14 @@ pub(crate) fn fields(fragment: &str) -> Result<Option<Vec<&str>>, Refusal> {
     if fragment.is_empty() {
         return Ok(None);
     }
-    let mut fields = fragment.split('&');
-    if fields.next() == Some(VERSION) { Ok(Some(fields.collect())) } else { Err(Refusal::UnreadableState) }
+    // A link to a seat is written by hand, too: `#seat=7`.
+    let after_version = match fragment.split_once('&') {
+        Some((VERSION, fields)) => fields,
+        _ if fragment == VERSION => return Ok(Some(Vec::new())),
+        _ if fragment.strip_prefix("seat=").is_some_and(|seat| seat.parse::<Seat>().is_ok()) => fragment,
+        _ => return Err(Refusal::UnreadableState),
+    };
+    Ok(Some(after_version.split('&').collect()))
 }
 
 /// Seat of a link; `None` if it leaves the present one.

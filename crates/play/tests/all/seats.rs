@@ -52,6 +52,11 @@ fn a_seat_sets_the_assigned_values_and_only_those() {
 #[test]
 fn a_link_has_the_seat_and_answers_follow() {
     let mut play = tube();
+    for fragment in ["seat=7", "#seat=7", "1&seat=7"] {
+        let mut seated = tube();
+        seated.restore(fragment).unwrap();
+        assert_eq!(seated.share(), "1&seat=7", "{fragment}");
+    }
     play.restore("1&seat=7").unwrap();
     let own = value(&play, "zeta_q");
     assert_eq!(play.share(), "1&seat=7");

@@ -17,8 +17,11 @@
   // The code of a QR code is in the fragment, which a simulation would take for a state of its own.
   const scanned = (location.hash.match(/^#join=([A-Za-z0-9]+)$/) || [])[1];
   if (scanned) history.replaceState(null, "", location.pathname + location.search);
-  // Values of a seat are set before the simulation begins.
-  if (seat && config.seats && !location.hash) history.replaceState(null, "", `#seat=${seat.seat}`);
+  // Values of a seat are set before the simulation begins, also where a link sets others.
+  const link = location.hash;
+  if (seat && config.seats && (link === "" || link.startsWith("#1&")) && !link.includes("&seat=")) {
+    history.replaceState(null, "", `${link || "#1"}&seat=${seat.seat}`);
+  }
 
   // A connection may be dead without an end: a request has a time, and is tried again.
   const LIMIT = 120000;

@@ -14,7 +14,7 @@ use server::store::{Location, back_up, restore};
 use server::{Fault, Store, export, listen, now, qr};
 use std::future::Future;
 use std::io;
-use std::net::{Ipv4Addr, SocketAddr, UdpSocket};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::Path;
 use std::time::Duration;
 use tokio::net::TcpListener;
@@ -126,7 +126,7 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
             false => classes.latest_or_begin(&title, arguments.keep, now()).await,
         };
         let class = class.map_err(fails)?;
-        let listener = listener(arguments.port).await.map_err(|error| network(&error))?;
+        let listener = listener(listened(arguments), arguments.port).await.map_err(|error| network(&error))?;
         let port = listener.local_addr().map_err(|error| network(&error))?.port();
         let (place, tls) = place(arguments, port)?;
         let server = Server::new(classes, pages, place);
@@ -173,23 +173,38 @@ fn documents(arguments: &ServeClass, terminal: Terminal) -> Result<Vec<Document>
     Ok(documents)
 }
 
-async fn listener(port: Option<u16>) -> io::Result<TcpListener> {
+/// True if a proxy in front of the server encrypts.
+fn is_behind_proxy(arguments: &ServeClass) -> bool {
+    arguments.tls.as_deref() == Some("behind-proxy")
+}
+
+/// Address on which the server listens. Between a proxy and the server nothing is encrypted: without another choice, it is
+/// reached on this computer alone.
+fn listened(arguments: &ServeClass) -> IpAddr {
+    let default = if is_behind_proxy(arguments) { Ipv4Addr::LOCALHOST } else { Ipv4Addr::UNSPECIFIED };
+    arguments.listen.unwrap_or(default.into())
+}
+
+async fn listener(address: IpAddr, port: Option<u16>) -> io::Result<TcpListener> {
     if let Some(port) = port {
-        return TcpListener::bind((Ipv4Addr::UNSPECIFIED, port)).await;
+        return TcpListener::bind((address, port)).await;
     }
     for port in PORT..PORT + TRIED {
-        if let Ok(listener) = TcpListener::bind((Ipv4Addr::UNSPECIFIED, port)).await {
+        if let Ok(listener) = TcpListener::bind((address, port)).await {
             return Ok(listener);
         }
     }
-    TcpListener::bind((Ipv4Addr::UNSPECIFIED, 0)).await
+    TcpListener::bind((address, 0)).await
 }
 
 /// Where the server is reached, and its encryption.
 fn place(arguments: &ServeClass, port: u16) -> Result<(Place, Option<listen::Tls>), Failure> {
     let address = match &arguments.public {
         Some(url) => url.trim_end_matches('/').to_owned(),
-        None => format!("http://{}", SocketAddr::from((own_address(), port))),
+        None => {
+            let address = Some(listened(arguments)).filter(|address| !address.is_unspecified());
+            format!("http://{}", SocketAddr::from((address.unwrap_or_else(|| own_address().into()), port)))
+        }
     };
     let host = address.split_once("://").map(|(_, rest)| rest.split([':', '/']).next().unwrap_or_default().to_owned());
     let Some(host) = host.filter(|host| !host.is_empty()) else {
@@ -198,13 +213,27 @@ fn place(arguments: &ServeClass, port: u16) -> Result<(Place, Option<listen::Tls
             words("for example `--public https://class.example`"),
         ));
     };
-    let is_behind_proxy = arguments.tls.as_deref() == Some("behind-proxy");
+    let is_behind_proxy = is_behind_proxy(arguments);
+    if arguments.proxy.is_some() && !is_behind_proxy {
+        return Err(Failure::in_words(
+            words("--proxy names a proxy, but --tls names a certificate of the server itself"),
+            words("leave out --proxy, or write `--tls behind-proxy`"),
+        ));
+    }
+    let one = arguments.listen.filter(|address| !address.is_loopback() && !address.is_unspecified());
+    if let (Some(address), None) = (one, &arguments.tls) {
+        return Err(Failure::in_words(
+            words!("the dashboard answers to this computer alone, which does not reach it through {}", address),
+            words("leave out --listen, or encrypt with --tls"),
+        ));
+    }
+    let proxy = is_behind_proxy.then(|| arguments.proxy.unwrap_or(Ipv4Addr::LOCALHOST.into()));
     let tls = match arguments.tls.as_deref().filter(|_| !is_behind_proxy) {
         None => None,
         Some(files) => Some(encryption(files)?),
     };
     let is_encrypted = arguments.tls.is_some();
-    Ok((Place { address, hosts: vec![host], is_encrypted, is_behind_proxy }, tls))
+    Ok((Place { address, hosts: vec![host], is_encrypted, proxy }, tls))
 }
 
 fn encryption(files: &str) -> Result<listen::Tls, Failure> {

@@ -1,6 +1,7 @@
 //! Arguments of the commands for a class server.
 
 use clap::{Args, Subcommand};
+use std::net::IpAddr;
 use std::path::PathBuf;
 
 /// File of a store if none is named.
@@ -73,6 +74,14 @@ pub struct ServeClass {
     /// Encryption: certificate and key as files in PEM, or `behind-proxy` if a proxy in front of the server does it
     #[arg(long, value_name = "CERT,KEY", requires = "public")]
     pub tls: Option<String>,
+
+    /// Address on which the server listens, such as 192.0.2.5 or :: [default: all of IPv4; behind a proxy 127.0.0.1]
+    #[arg(long, value_name = "ADDRESS")]
+    pub listen: Option<IpAddr>,
+
+    /// Address of the proxy with --tls behind-proxy: only its requests are answered [default: this computer]
+    #[arg(long, value_name = "ADDRESS", requires = "tls")]
+    pub proxy: Option<IpAddr>,
 }
 
 /// `meniscus class backup`

@@ -9,9 +9,12 @@ use axum::response::{IntoResponse, Response};
 use std::net::{IpAddr, Ipv4Addr};
 use std::sync::Arc;
 
-/// Refuses requests with another host name: another site could point its name to this address (DNS rebinding). A name that is an
+/// Refuses requests that come past the proxy, and those with another host name: another site could point its name to this address (DNS rebinding). A name that is an
 /// IP address cannot be pointed elsewhere.
 pub async fn host(State(server): State<Arc<Server>>, request: Request, next: Next) -> Response {
+    if !server.place.admits(address(&request)) {
+        return refuse(StatusCode::FORBIDDEN, "proxy").into_response();
+    }
     if !is_known(request.headers(), &server.place) {
         return refuse(StatusCode::FORBIDDEN, "host").into_response();
     }
@@ -77,5 +80,5 @@ fn address(request: &Request) -> IpAddr {
 pub fn client(headers: &HeaderMap, peer: Peer, place: &Place) -> IpAddr {
     let forwarded = headers.get_all("x-forwarded-for").iter().next_back().and_then(|value| value.to_str().ok());
     let last = forwarded.and_then(|list| list.rsplit(',').next()?.trim().parse().ok());
-    last.filter(|_| place.is_behind_proxy).unwrap_or(peer.0).to_canonical()
+    last.filter(|_| place.proxy.is_some()).unwrap_or(peer.0).to_canonical()
 }

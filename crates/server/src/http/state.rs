@@ -20,11 +20,18 @@ pub struct Place {
     pub hosts: Vec<String>,
     /// Connections are encrypted, here or by a proxy: the dashboard answers to every address.
     pub is_encrypted: bool,
-    /// The address of a client is in the last entry of `X-Forwarded-For`.
-    pub is_behind_proxy: bool,
+    /// Address of the proxy in front of the server, if there is one: requests from elsewhere are refused, and the address of a
+    /// client is in the last entry of `X-Forwarded-For`. A loopback address stands for all of this computer.
+    pub proxy: Option<IpAddr>,
 }
 
 impl Place {
+    /// True if a request may come from this address.
+    pub(super) fn admits(&self, peer: IpAddr) -> bool {
+        let peer = peer.to_canonical();
+        self.proxy.is_none_or(|proxy| peer == proxy.to_canonical() || (proxy.is_loopback() && peer.is_loopback()))
+    }
+
     /// Address with the code of a class, for its QR code.
     pub fn join_address(&self, code: &str) -> String {
         format!("{}/#join={code}", self.address)

@@ -28,7 +28,7 @@ pub fn place() -> Place {
         address: "http://192.0.2.1:4242".to_owned(),
         hosts: vec!["class.example".to_owned()],
         is_encrypted: false,
-        is_behind_proxy: false,
+        proxy: None,
     }
 }
 

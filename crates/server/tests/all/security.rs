@@ -113,12 +113,19 @@ fn the_dashboard_answers_to_this_computer_only_unless_encrypted() {
         send(running.address, "GET", "/teacher", &[("Host", "localhost"), ("X-Forwarded-For", "192.0.2.7")], "").status
     };
     assert_eq!(proxied(place(), "a"), 200);
-    assert_eq!(proxied(Place { is_encrypted: true, is_behind_proxy: true, ..place() }, "b"), 200);
+    let behind = |proxy: &str| Place { is_encrypted: true, proxy: Some(proxy.parse().unwrap()), ..place() };
+    assert_eq!(proxied(behind("127.0.0.1"), "b"), 200);
+    assert_eq!(proxied(behind("::1"), "d"), 200);
+    // Nobody comes past the proxy, whatever the request says of itself.
+    assert_eq!(proxied(behind("192.0.2.80"), "e"), 403);
     // A connection from another address of this machine.
     let Some(own) = own_address() else { return assert!(std::net::UdpSocket::bind("127.0.0.1:0").is_ok()) };
     let running = Running::start_at(&Location::File(folder.path().join("c")), place(), &format!("{own}:0"));
     assert_eq!(running.get("/teacher", "").why(), (403, "place".to_owned()));
     assert_eq!(running.get("/", "").status, 200);
+    let running = Running::start_at(&Location::File(folder.path().join("f")), behind("127.0.0.1"), &format!("{own}:0"));
+    assert_eq!(running.get("/", "").why(), (403, "proxy".to_owned()));
+    assert_eq!(running.get("/teacher", "").why(), (403, "proxy".to_owned()));
 }
 
 /// An address of this machine besides loopback, if it has one.

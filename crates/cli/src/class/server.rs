@@ -131,7 +131,8 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         let (place, tls) = place(arguments, port)?;
         let server = Server::new(classes, pages, place);
         let link = server.classes().link(&class).await.map_err(fails)?;
-        announce(&server, &class, &link, port, terminal);
+        let own = arguments.listen.filter(IpAddr::is_loopback).unwrap_or(Ipv4Addr::LOCALHOST.into());
+        announce(&server, &class, &link, SocketAddr::from((own, port)), terminal);
         let look = async {
             let mut looks = interval(LOOK);
             loop {
@@ -260,10 +261,11 @@ fn own_address() -> Ipv4Addr {
     }
 }
 
-/// Prints how students and the teacher get in. `link`: the secret part of the teacher's link.
-fn announce(server: &Server, class: &Class, link: &str, port: u16, terminal: Terminal) {
+/// Prints how students and the teacher get in. `link`: the secret part of the teacher's link; `own`: address of the server on this
+/// computer.
+fn announce(server: &Server, class: &Class, link: &str, own: SocketAddr, terminal: Terminal) {
     let place = server.place();
-    let base = if place.is_encrypted { place.address.clone() } else { format!("http://127.0.0.1:{port}") };
+    let base = if place.is_encrypted { place.address.clone() } else { format!("http://{own}") };
     let language = terminal.language;
     let (students, code) = (language.say("Students"), language.say("code"));
     let (teacher, once) = (language.say("Teacher"), language.say("open this link in a browser; it works once"));

@@ -32,6 +32,7 @@ mod workbook;
 mod writing;
 
 pub use analysis::derivative::Differentiation;
+pub use analysis::smoothing::WIDEST;
 pub use analysis::tracker::{Gathering, gathering};
 pub use document;
 pub use film;
@@ -57,8 +58,8 @@ pub use fits::{
 pub use measured::{CurveAxis, MeasuredCurve, MeasuredData};
 pub use opened::{OpenDocument, OpenedDocuments};
 pub use records::{
-    ColumnView, LONGEST_RECORD, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress, RecordView, Records,
-    SAMPLES, Sample, ShownRecords, VariableView, measurement_units,
+    ColumnView, LONGEST_RECORD, LONGEST_SAVED, MEASUREMENT_FIELDS, MOST_RECORDS, MeasurementForm, RecordProgress,
+    RecordView, Records, SAMPLES, Sample, ShownRecords, VariableView, measurement_units,
 };
 pub use refusal::Refusal;
 pub use storing::{

@@ -1,6 +1,7 @@
 //! Expressions outside the model: parsed, completed with the local names of the scene, and compiled against the model.
 
 use crate::extent::Extent;
+use crate::settable;
 use model::{Compiler, Diagnostic, Expression, ExpressionKind, Functions, Places, Span, StatedUnit, StatementKind};
 use program::{Assignment, Choices, Compiled, Graph, Kind, Model, Node};
 use std::collections::BTreeMap;
@@ -222,10 +223,10 @@ impl<'a> Expressions<'a> {
             let names = self.model().parameters.iter().map(|parameter| parameter.name.as_str());
             let diagnostic = Diagnostic::error("unknown-name", message, name.span);
             let diagnostic = match units::nearest(&name.text, names) {
-                Some(near) => diagnostic.meaning(near),
-                None if self.model().lookup(&name.text, 0).is_some() => {
-                    diagnostic.with_hint(words("only parameters can be set; what is computed follows from them"))
+                _ if self.model().lookup(&name.text, 0).is_some() => {
+                    settable::advise(diagnostic, self.source, self.model(), self.places, name)
                 }
+                Some(near) => diagnostic.meaning(near),
                 None => diagnostic,
             };
             self.diagnostics.push(diagnostic);

@@ -24,6 +24,7 @@ mod prose;
 mod resized;
 mod scene;
 mod search;
+mod settable;
 mod template;
 mod text;
 pub mod translating;

@@ -26,6 +26,7 @@ mod parser;
 mod places;
 mod sentence;
 mod so_far;
+mod spanish_functions;
 mod syntax;
 mod tables;
 mod ticks;

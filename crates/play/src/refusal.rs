@@ -1,25 +1,12 @@
 //! Reasons for which input is refused.
 
+use units::number::typed::NotRead;
+
 /// Reason for which input is refused. The state is unchanged, except for [`Refusal::PartlyRestored`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
-    /// The input is not a number.
-    NotANumber {
-        /// Input.
-        typed: String,
-    },
-    /// Unknown unit.
-    UnknownUnit {
-        /// Unit in the input.
-        typed: String,
-    },
-    /// The unit has another dimension.
-    WrongUnit {
-        /// Unit in the input.
-        typed: String,
-        /// A suitable unit; empty for a pure number.
-        expected: String,
-    },
+    /// The input is not a number with a suitable unit.
+    NotRead(NotRead),
     /// A frequency where an angular frequency is expected, or vice versa.
     OtherFrequency {
         /// Input with its unit.
@@ -95,4 +82,10 @@ pub enum Refusal {
         /// Omitted parts, as written in the saved state.
         left_out: Vec<String>,
     },
+}
+
+impl From<NotRead> for Refusal {
+    fn from(why: NotRead) -> Self {
+        Self::NotRead(why)
+    }
 }

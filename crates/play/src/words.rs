@@ -118,13 +118,7 @@ pub fn grade(language: Language, grade: Grade) -> &'static str {
 /// Text of a refusal.
 pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
     match refusal {
-        Refusal::NotANumber { typed } if typed.is_empty() => language.say("Type a number.").to_owned(),
-        Refusal::NotANumber { typed } => {
-            say!(language, "“{typed}” is not a number.")
-        }
-        Refusal::UnknownUnit { typed } => {
-            say!(language, "“{typed}” is not a known unit.")
-        }
+        Refusal::NotRead(why) => why.words().text(language).into_owned(),
         Refusal::OtherFrequency { typed, meant, angular: true } => {
             say!(language, "{typed} is a frequency; the angular frequency is {meant}.")
         }
@@ -133,12 +127,6 @@ pub fn refusal_text(language: Language, refusal: &Refusal) -> String {
         }
         Refusal::NameInAnswer { name } => {
             say!(language, "An answer consists of numbers and units; “{name}” is a quantity of the simulation.")
-        }
-        Refusal::WrongUnit { typed, expected } if expected.is_empty() => {
-            say!(language, "{typed} measures something else; this is a pure number.")
-        }
-        Refusal::WrongUnit { typed, expected } => {
-            say!(language, "{typed} measures something else; a unit such as {expected} is needed.")
         }
         Refusal::TooSmall { name, least } => {
             say!(language, "{name}: at least {least}.")

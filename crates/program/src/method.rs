@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
-use units::{Words, words};
+use units::{Words, nearest, words};
 
 /// Integration method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
@@ -68,11 +68,32 @@ impl fmt::Display for Method {
     }
 }
 
+/// Names of the methods in other programs and in textbooks, in small letters and digits.
+const OTHER_NAMES: [(Method, &[&str]); 6] = [
+    (Method::Euler, &["euler", "forwardeuler", "explicit", "expliciteuler"]),
+    (Method::EulerRichardson, &["eulerrichardson", "midpoint", "rk2", "puntomedio"]),
+    (Method::VelocityVerlet, &["velocityverlet", "verlet", "leapfrog", "velverlet", "stoermerverlet"]),
+    (Method::RungeKutta4, &["rk4", "rungekutta", "rungekutta4", "rk", "rungekuttaorder4"]),
+    (
+        Method::DormandPrince,
+        &["dormandprince", "dopri", "dopri5", "rk45", "ode45", "rkf45", "adaptive", "dormandprince54"],
+    ),
+    (Method::Rosenbrock, &["rosenbrock", "rodas", "stiff", "ode15s", "ode23s", "radau", "bdf"]),
+];
+
 /// A name that belongs to no method.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMethod(pub String);
 
 impl UnknownMethod {
+    /// The method with this name in other programs and in textbooks, or with a name much like it; `None` for another method.
+    pub fn meant(&self) -> Option<Method> {
+        let plain: String = self.0.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect();
+        let known = OTHER_NAMES.iter().find(|(_, names)| names.contains(&plain.as_str())).map(|(method, _)| *method);
+        let near = || nearest(&self.0, Method::ALL.map(Method::name)).and_then(|name| name.parse().ok());
+        known.or_else(near)
+    }
+
     /// Error message with the list of the methods.
     pub fn words(&self) -> Words {
         let Self(name) = self;

@@ -2,8 +2,8 @@
 //! that the code behind them is compiled once instead of for every use.
 
 pub use crate::pieces::{
-    button, column_head, cross, dialog, field_of, labelled, note, part, refusal_of, row_head, short_field, switch,
-    table_in, tick, unit_of, with_unit,
+    button, column_head, cross, dialog, field_of, labelled, note, number_field, part, refusal_of, row_head,
+    short_field, switch, table_in, tick, unit_of, why_refused, with_unit,
 };
 use std::borrow::Cow;
 pub use sycamore_reactive::{ReadSignal, Signal, create_signal};

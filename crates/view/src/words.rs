@@ -137,7 +137,6 @@ table_of_words! {
     seat_unknown: "Type the number of your seat to work with values of your own. Until then the values of the document are set.";
     seat_known: "The values of this seat are set.";
     size_title: "Another size builds the model again";
-    size_whole: "A size is a whole number.";
     size_fixed: "Fixed in this page; the laboratory can change it.";
     parameters: "Parameters";
     buttons: "Actions";

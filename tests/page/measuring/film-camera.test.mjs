@@ -107,6 +107,12 @@ visit("the same film is there at the next visit, with what was found", async (la
 visit("filming can be cancelled, and what cannot be filmed is said", async (lab) => {
   await lab.page.locator("#tab-measure").click();
   await lab.page.locator("#film-simulation").click();
+  // What is no number is refused at its field.
+  await lab.page.locator("#filming-seconds").fill("ten");
+  await lab.page.locator("#start-filming").click();
+  await eventually(async () =>
+    assert.match(await lab.page.locator("#filming-seconds-error").innerText(), /“ten” is not a number. Write one such as 2.5 s/));
+  assert.equal(await lab.page.locator("#filming-seconds").getAttribute("aria-invalid"), "true");
   await lab.page.locator("#filming-seconds").fill("1000");
   await lab.page.locator("#start-filming").click();
   await eventually(async () => assert.match((await lab.page.locator(".message").allInnerTexts()).join("\n"), /between 10 and 900 frames/));

@@ -139,10 +139,11 @@ visit("the radius of a body is found from the click, typed, refused, and found a
     assert.ok(Math.abs(number(metres) / (0.01 * typed) - 1) < 0.02, metres);
   });
 
-  for (const refused of ["1", "1000", "large"]) {
+  const outside = /from 3 to 100 px/;
+  for (const [refused, why] of [["1", outside], ["1000", outside], ["large", /“large” is not a number. Write one such as 2.5 px/]]) {
     await field.fill(refused);
     await field.press("Enter");
-    await eventually(async () => assert.match(await lab.page.locator("#film-radius-refused").innerText(), /from 3 to 100 px/));
+    await eventually(async () => assert.match(await lab.page.locator("#film-radius-refused").innerText(), why));
     const circle = await lab.page.locator(".film-lines .body-outline").evaluate((path) => path.getBBox().width / 2);
     assert.ok(Math.abs(circle - typed) < 0.1, `${refused}: ${circle} px`);
   }
@@ -200,4 +201,30 @@ visit("the loupe shows what the finger hides", { width: 390, height: 844, touch:
   const clicked = await lab.page.locator("#film-surface-0").getAttribute("aria-label");
   const [, across, down] = clicked.match(/x ([\d.]+), y ([\d.]+)/).map(Number);
   assert.ok(Math.abs(across - SURFACE[0]) < 2 && Math.abs(down - SURFACE[1]) < 2, clicked);
+});
+
+visit("numbers of a film are read with their units, or refused at their fields", async (lab) => {
+  await filmSimulation(lab, { seconds: "2" });
+  await lab.page.locator("#film-acts details").evaluateAll((folds) => folds.forEach((fold) => (fold.open = true)));
+  const from = lab.page.locator("#film-from");
+  const enter = async (field, text) => {
+    await field.fill(text);
+    await field.press("Enter");
+  };
+  await enter(from, "500 ms");
+  await eventually(async () => assert.equal(await from.inputValue(), "0.500"));
+  for (const [typed, why] of [["abc", /“abc” is not a number/], ["3 kg", /kg measures something else/], ["9 s", /two frames/]]) {
+    await enter(from, typed);
+    await eventually(async () => assert.match(await lab.page.locator("#film-from-error").innerText(), why));
+    assert.equal(await from.getAttribute("aria-invalid"), "true");
+  }
+  await enter(from, "1/4");
+  await eventually(async () => assert.equal(await from.inputValue(), "0.250"));
+  assert.equal(await lab.page.locator("#film-from-error").innerText(), "");
+
+  const intervals = lab.page.locator("#film-intervals");
+  await enter(intervals, "ten");
+  await eventually(async () => assert.match(await lab.page.locator("#film-intervals-error").innerText(), /whole number from 1 to 1000/));
+  await enter(intervals, "10.0");
+  await eventually(async () => assert.equal(await lab.page.locator("#film-intervals-error").innerText(), ""));
 });

@@ -25,6 +25,8 @@ visit("a family is one line, and its member is picked by keys", async (lab) => {
   await index.fill("99");
   await index.press("Enter");
   assert.equal(await index.inputValue(), "6", "the last member is shown");
+  await eventually(async () =>
+    assert.match((await lab.page.locator(".message").allInnerTexts()).join("\n"), /“99” is not possible here/));
   await picker(lab, "Heat: index 1").fill("2");
   await picker(lab, "Heat: index 2").fill("3");
   assert.match(await lab.value("Heat"), /^23\.00$/);

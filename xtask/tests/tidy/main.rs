@@ -12,4 +12,5 @@ mod machine;
 mod parts;
 mod texts;
 mod titles;
+mod typed;
 mod uses;

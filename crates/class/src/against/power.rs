@@ -2,10 +2,12 @@
 
 use crate::pooling::Measured;
 use core::fmt;
+use units::number::Style;
+use units::number::typed::{counted, whole};
 use units::{Dimension, Exponent, Words, words};
 
 /// Greatest exponent.
-const MOST: i32 = 9;
+const MOST: i64 = 9;
 
 /// A power of a quantity: `L`, `omega_0^2`, `1/L`, `2/L^3`.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,16 +35,17 @@ impl Power {
             || words!("{text} is no power of a quantity: write a name, a power or a number over it, as L, L^2, 1/L");
         let typed = text.trim();
         let (factor, sign, power) = match typed.split_once('/') {
-            Some((factor, power)) => (factor.trim().parse().map_err(|_| refused())?, -1, power),
+            Some((factor, power)) => (counted(factor, "", Style::POINT).map_err(|_| refused())?, -1, power),
             None => (1.0, 1, typed),
         };
         let (name, exponent) = match power.split_once('^') {
-            Some((name, exponent)) => (name, exponent.trim().parse().map_err(|_| refused())?),
+            Some((name, exponent)) => (name, whole(exponent, 1..=MOST, Style::POINT).map_err(|_| refused())?),
             None => (power, 1),
         };
+        let exponent = i32::try_from(exponent).unwrap_or_default();
         let name = name.trim();
         let is_name = !name.is_empty() && name.chars().all(|one| one.is_alphanumeric() || "_.[]".contains(one));
-        if !is_name || !(1..=MOST).contains(&exponent) || !f64::is_finite(factor) || factor == 0.0 {
+        if !is_name || !f64::is_finite(factor) || factor == 0.0 {
             return Err(refused());
         }
         Ok(Self { text: typed.to_owned(), name: name.to_owned(), factor, exponent: sign * exponent })

@@ -6,6 +6,7 @@ mod against;
 mod collection;
 mod copies;
 mod course;
+mod files;
 mod pooling;
 mod reports;
 mod results;

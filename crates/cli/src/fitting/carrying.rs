@@ -5,6 +5,7 @@ use crate::handing::write::{now, packed};
 use analysis::fit::{Estimate, Outcome, Record};
 use analysis::origin::UnitOrigin;
 use class::verify::{DataFile, Recomputation, project_of_files, write_varied};
+use document::page::Source;
 use runner::fitting::{Fitted, excluded_rows};
 use runner::records::Measured;
 use saved::Number;
@@ -12,7 +13,7 @@ use saved::carried::{carry, carry_nothing};
 use saved::format::{self, Column, StatedError};
 use saved::hand_in::{Fact, FactValue, HandIn, Part, Sender};
 use saved::project::Project;
-use units::{Language, Unit, words};
+use units::{Language, Unit, Words, words};
 
 /// Largest deviation between a fit and its recomputation from the carried data, in standard errors and relative.
 const AGREEMENT: f64 = 1e-3;
@@ -21,26 +22,27 @@ const AGREEMENT: f64 = 1e-3;
 pub fn carrying(page: &str, fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> String {
     let language = fitted.first().map_or(Language::English, |one| Language::of(&one.theory.document.program.language));
     match work(fitted, data, arguments).and_then(|work| hand_in(work, fitted, arguments)) {
-        Some(hand_in) => carry(page, &packed(&hand_in.of_page(page)), language),
-        None => {
-            let why = words(
-                "This page does not carry its data: they are too long, or the fit uses an expression or an option that a hand-in \
-                 cannot state. It cannot be verified.",
-            );
+        Ok(hand_in) => carry(page, &packed(&hand_in.of_page(page)), language),
+        Err(why) => {
+            let why = words!("This page does not carry its data, and cannot be verified: {why}.");
             carry_nothing(page, &why.text(language), language)
         }
     }
 }
 
-fn hand_in(work: Project, fitted: &[&Fitted], arguments: &Common) -> Option<HandIn> {
-    let recomputation = Recomputation::complete(&work).ok().filter(|done| done.refused() == 0)?;
+fn hand_in(work: Project, fitted: &[&Fitted], arguments: &Common) -> Result<HandIn, Words> {
+    let recomputation = Recomputation::complete(&work)?;
+    if let Some(why) = recomputation.left_out().next() {
+        return Err(why.clone());
+    }
     let facts = recomputation.facts();
     let agrees = |one: &&Fitted| agrees(&facts, &one.theory.document.program.title, &one.outcome);
-    if !fitted.iter().all(agrees) {
-        return None;
+    if let Some(other) = fitted.iter().find(|one| !agrees(one)) {
+        let theory = &other.theory.document.program.title;
+        return Err(words!("the laboratory finds other values of the fit of {theory} from the same data"));
     }
     let sender = Sender { seat: arguments.seat.map(|seat| seat.number()), ..Sender::default() };
-    Some(HandIn::new(now(), sender, work, facts))
+    Ok(HandIn::new(now(), sender, work, facts))
 }
 
 /// True if the recomputed fit of a theory agrees with its outcome: values within a part of their standard errors, errors
@@ -64,8 +66,25 @@ fn agrees(facts: &[Fact], theory: &str, outcome: &Outcome) -> bool {
     })
 }
 
-/// Documents, records and fits as a project; `None` if something of it cannot be stated.
-fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Project> {
+/// Documents, records and fits as a project.
+///
+/// # Errors
+/// The reason for which a hand-in cannot state the fits.
+fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Result<Project, Words> {
+    if fitted.iter().any(|one| !one.task.tied.is_empty()) {
+        return Err(words("the fit ties parameters, which a hand-in cannot state"));
+    }
+    let (documents, state, files, fits) = stated(fitted, data, arguments)
+        .ok_or_else(|| words("the fit uses an expression or an option that a hand-in cannot state"))?;
+    project_of_files(documents, state, files, Vec::new(), fits)
+}
+
+/// Documents, state of the run, files and fits; `None` if something of them cannot be stated.
+fn stated(
+    fitted: &[&Fitted],
+    data: &[Measured],
+    arguments: &Common,
+) -> Option<(Vec<Source>, String, Vec<DataFile>, Vec<format::Fit>)> {
     let documents = fitted.first()?.theory.sources.embedded();
     let state = arguments.seat.map_or_else(String::new, |seat| format!("1&seat={}", seat.number()));
     let observed = |one: &Measured| -> Option<Vec<usize>> {
@@ -85,15 +104,11 @@ fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Pro
     };
     let files = data.iter().zip(&columns).map(file).collect::<Option<_>>()?;
     let fits = fitted.iter().map(|one| fit(one, data, &columns, arguments)).collect::<Option<_>>()?;
-    project_of_files(documents, state, files, Vec::new(), fits)
+    Some((documents, state, files, fits))
 }
 
 fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &Common) -> Option<format::Fit> {
     let (task, outcome) = (&fitted.task, &fitted.outcome);
-    // A hand-in has no place for expressions between parameters.
-    if !task.tied.is_empty() {
-        return None;
-    }
     let numbers = |values: &[f64]| values.iter().copied().map(Number).collect();
     let independent = &fitted.theory.document.program.model.independent;
     let excluded = excluded_rows(data, &arguments.exclude).ok()?;

@@ -17,7 +17,7 @@ use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;
 use std::fs::File;
 use std::io::Read;
-use units::{Language, words};
+use units::{Language, Words, words};
 
 /// Document with which the table is opened. A hand-in has one, and a film has no model.
 const DOCUMENT: &str = "---\ntitle: Film\nlanguage: en\n---\n\n```model\ny' = 0 [m/s]\ny(0) = 0 [m]\n```\n";
@@ -34,36 +34,53 @@ pub struct Tracked<'a> {
     pub table: &'a str,
 }
 
-/// A report with the data of its film.
+/// A report with the data of its film. Without them it states the reason.
 pub fn carrying(page: &str, tracked: Tracked<'_>, language: Language) -> String {
-    let hand_in = work(tracked).and_then(|work| {
-        let facts = Recomputation::complete(&work).ok().filter(|done| done.refused() == 0)?.facts();
-        Some(HandIn::new(now(), Sender::default(), work, facts))
-    });
-    if let Some(hand_in) = hand_in {
-        return carry(page, &packed(&hand_in.of_page(page)), language);
+    match hand_in(tracked) {
+        Ok(hand_in) => carry(page, &packed(&hand_in.of_page(page)), language),
+        Err(why) => {
+            let why = words!("This page does not carry the tracked points, and cannot be verified: {why}.");
+            carry_nothing(page, &why.text(language), language)
+        }
     }
-    let why = words("This page does not carry the tracked points, because they are too many. It cannot be verified.");
-    carry_nothing(page, &why.text(language), language)
 }
 
-fn work(tracked: Tracked<'_>) -> Option<Project> {
-    let film = item(tracked)?;
+fn hand_in(tracked: Tracked<'_>) -> Result<HandIn, Words> {
+    let work = work(tracked)?;
+    let done = Recomputation::complete(&work)?;
+    if let Some(why) = done.left_out().next() {
+        return Err(why.clone());
+    }
+    Ok(HandIn::new(now(), Sender::default(), work, done.facts()))
+}
+
+fn work(tracked: Tracked<'_>) -> Result<Project, Words> {
+    let start = start_of(tracked.film).map_err(|error| {
+        let (film, why) = (tracked.film.path.display().to_string(), error.to_string());
+        words!("{film} could not be read again: {why}")
+    })?;
+    let film = item(tracked, &start).ok_or_else(|| words("a click lies at a frame that is not tracked"))?;
     let documents = vec![Source { name: "film.md".to_owned(), text: DOCUMENT.to_owned() }];
     let stem = film.name.rsplit_once('.').map_or(&*film.name, |(stem, _)| stem);
     let table = DataFile { name: format!("{stem}.csv"), bytes: tracked.table.into(), against: Vec::new() };
     project_of_files(documents, String::new(), vec![table], vec![film], Vec::new())
 }
 
+/// First bytes of the file, of which its hash is made.
+fn start_of(film: &Opened) -> std::io::Result<Vec<u8>> {
+    let mut start = Vec::new();
+    File::open(&film.path)?.take(FILM_START).read_to_end(&mut start)?;
+    Ok(start)
+}
+
 fn place([x, y]: [f64; 2]) -> format::Place {
     [Number(x), Number(y)]
 }
 
-/// The work on the film, in pixels of the upright picture.
-fn item(tracked: Tracked<'_>) -> Option<format::Film> {
+/// The work on the film, in pixels of the upright picture; `None` if a click or a tracked frame has no time. `start`: first
+/// bytes of the file.
+fn item(tracked: Tracked<'_>, start: &[u8]) -> Option<format::Film> {
     let Tracked { film, arguments, clock, followed, calibration, .. } = tracked;
-    let mut start = Vec::new();
-    File::open(&film.path).ok()?.take(FILM_START).read_to_end(&mut start).ok()?;
     let name: String = film.path.file_name()?.to_string_lossy().chars().take(200).collect();
     let click = |click: &Place| Some((clock.frame_of(film, click).ok()?, place(click.position)));
     let surfaces = arguments.surface.iter().enumerate().map(|(index, surface)| {
@@ -85,7 +102,7 @@ fn item(tracked: Tracked<'_>) -> Option<format::Film> {
     Some(format::Film {
         name,
         size: film.bytes,
-        hash: film_hash(&start),
+        hash: film_hash(start),
         factor: arguments.rate.map(Number),
         stated_factor: Some(Number(clock.factor)),
         kind: kind.to_owned(),

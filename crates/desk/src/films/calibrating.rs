@@ -1,13 +1,14 @@
 //! Conversion of the user's calibration form to a map from px to m.
 
+use crate::Refusal;
 use crate::films::lengths::{CalibrationForm, LengthsForm, ParallaxForm};
 use crate::films::record::Kept;
 use crate::films::subject::inside;
 use crate::films::{Films, no_film, refused};
-use crate::{Refusal, number};
 use film::Plane;
 use film::calibration::{CLICK, Calibration, Lengths, Parallax, Rectangle, Scale, by_marks};
 use play::Play;
+use units::number::typed::{quantity, shortened};
 use units::{Dimension, Unit, Words, words};
 
 impl Films {
@@ -85,9 +86,8 @@ fn parallax_of(play: &Play, form: &ParallaxForm) -> Result<Parallax, Refusal> {
 
 /// Length in m from text with a unit.
 fn metres(play: &Play, typed: &str) -> Result<f64, Refusal> {
-    let without_unit = number::parse(typed, play.basis().style()).is_some_and(|(_, rest)| rest.is_empty());
-    if without_unit {
-        let typed: String = typed.trim().chars().take(40).collect();
+    if quantity(typed, &Unit::dimensionless(), play.basis().style()).is_ok() {
+        let typed = shortened(typed);
         return Err(refused(play, &words!("{typed} has no unit. Enter a length such as 10 cm.")));
     }
     Ok(play.basis().read_value(typed, &Unit::si(Dimension::LENGTH))?)

@@ -1,12 +1,13 @@
 //! Time base of a film: factor of slow motion, and the used part.
 
+use crate::Refusal;
 use crate::films::clip::Clip;
 use crate::films::record::Kept;
 use crate::films::{Films, no_film, refused};
-use crate::{Refusal, number};
 use film::timing::LARGEST_FACTOR;
 use play::Play;
-use units::words;
+use units::number::typed::shortened;
+use units::{Dimension, Unit, words};
 
 impl Films {
     /// Sets the factor of slow motion, the duration of playback relative to that of the recording, from text: `8`, or a
@@ -28,6 +29,22 @@ impl Films {
             (open.following, open.running) = (None, false);
         }
         Ok(Some(Kept { origin: false, offsets: true }))
+    }
+
+    /// Sets an end of the used part from text: a time of playback, with its unit or in s, or arithmetic such as `1/2`. An
+    /// empty text selects the end of the film. `end`: 0 for the begin, 1 for the end.
+    ///
+    /// # Errors
+    ///
+    /// The text is not a time, or as for [`Films::set_part`]. The part is unchanged then.
+    pub fn set_end(&mut self, play: &Play, end: usize, typed: &str) -> Result<Option<Kept>, Refusal> {
+        let Some((_, work)) = self.current() else { return Err(no_film(play)) };
+        let mut part = work.part;
+        let time = play.basis().read_field(play.course(), typed, "", &Unit::si(Dimension::TIME))?;
+        if let Some(place) = part.get_mut(end) {
+            *place = time;
+        }
+        self.set_part(play, part)
     }
 
     /// Sets the used part of the film in s of playback; `None` is an end of the film. Rows outside are removed from the
@@ -53,16 +70,10 @@ impl Films {
 
 /// Factor of slow motion from text.
 fn factor(play: &Play, typed: &str) -> Result<f64, Refusal> {
-    let style = play.basis().style();
-    let read = || {
-        let (value, rest) = number::parse(typed, style)?;
-        match rest.strip_prefix('/') {
-            None => rest.is_empty().then_some(value),
-            Some(rest) => number::parse(rest, style).filter(|(_, rest)| rest.is_empty()).map(|(by, _)| value / by),
-        }
-    };
-    read().filter(|factor| (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)).ok_or_else(|| {
-        let typed: String = typed.chars().take(40).collect();
+    let plain = Unit::dimensionless();
+    let read = play.basis().read_field(play.course(), typed, "", &plain).ok().flatten();
+    read.filter(|factor| (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)).ok_or_else(|| {
+        let typed = shortened(typed);
         refused(play, &words!(
             "{typed} is not possible. Enter how many times slower the film plays than things happened, such as 8 or 240/30."
         ))

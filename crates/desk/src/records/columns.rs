@@ -3,7 +3,6 @@
 use crate::records::recognise::{Meaning, measurable};
 use crate::records::{Records, ShownRecords};
 use crate::{Announcement, Changes, OpenDocument, Refusal, number};
-use units::Unit;
 
 impl ShownRecords<'_> {
     /// Text of some cells of a record's column, to 6 significant digits; empty for gaps and rows that do not exist.
@@ -59,19 +58,11 @@ impl Records {
         column: usize,
         typed: &str,
     ) -> Result<Changes, Refusal> {
-        let unit = Unit::parse(typed)
-            .map_err(|_| play::Refusal::UnknownUnit { typed: typed.trim().chars().take(40).collect() })?;
         let known = measurable(open.document);
         let used = self.get_mut(id).and_then(|record| record.uses.get_mut(column));
         let Some(used) = used else { return Ok(Changes::NONE) };
         let own = known.iter().find(|(name, _)| *name == used.meaning.quantity).map(|(_, own)| own);
-        if let Some(own) = own.filter(|own| own.dimension != unit.dimension) {
-            return Err(play::Refusal::WrongUnit {
-                typed: typed.trim().chars().take(40).collect(),
-                expected: number::unit_text(&own.text),
-            }
-            .into());
-        }
+        let unit = number::typed::unit(typed, own).map_err(play::Refusal::from)?;
         used.meaning.unit = unit;
         (used.chosen, used.stated) = (true, true);
         Ok(Changes::RECORDS)

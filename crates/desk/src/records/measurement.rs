@@ -89,14 +89,13 @@ pub(super) fn truth_of(play: &Play) -> Vec<(String, f64)> {
 }
 
 fn camera(play: &Play, form: &MeasurementForm) -> Result<Camera, (usize, Refusal)> {
-    let plain = units::Unit::dimensionless();
     let time = &play.model().independent.unit;
     let observed =
         observed(play.model(), &form.quantity).ok_or_else(|| (0, Refusal::unknown(form.quantity.as_str())))?;
     let fine = fine(&observed.unit);
     let [rate, duration, pixel, noise, jitter, scale, seed] = &form.fields;
+    let percent = units::Unit::parse("%").unwrap_or_else(|_| units::Unit::dimensionless());
     let read = |field: usize, typed: &str, unit: &units::Unit, least: f64| -> Result<f64, (usize, Refusal)> {
-        let typed = typed.trim().trim_end_matches('%');
         let value = play.basis().read_value(typed, unit).map_err(|refusal| (field, refusal.into()))?;
         if value > least || (field > 1 && value >= 0.0) || field == 5 {
             Ok(value)
@@ -104,16 +103,24 @@ fn camera(play: &Play, form: &MeasurementForm) -> Result<Camera, (usize, Refusal
             Err((field, play::Refusal::NotPositive.into()))
         }
     };
-    let per_time = read(0, rate, &plain, 0.0)?;
+    let style = play.basis().style();
+    let seed = number::typed::whole(seed, 0..=i64::from(u32::MAX), style)
+        .map_err(|why| (6, play::Refusal::from(why).into()))?;
     Ok(Camera {
-        rate: time.from_si(per_time),
+        rate: read(0, rate, &per(time), 0.0)?,
         duration: read(1, duration, time, 0.0)?,
         pixel: read(2, pixel, &fine, 0.0)?,
         noise: read(3, noise, &fine, 0.0)?,
         jitter: read(4, jitter, time, 0.0)?,
-        scale: read(5, scale, &plain, f64::NEG_INFINITY)? / 100.0,
-        seed: read(6, seed, &plain, 0.0)? as u64,
+        scale: read(5, scale, &percent, f64::NEG_INFINITY)?,
+        seed: seed.unsigned_abs(),
     })
+}
+
+/// The unit of a rate: one over the unit of time.
+fn per(time: &units::Unit) -> units::Unit {
+    let unit = (!time.text.is_empty()).then(|| units::Unit::parse(&format!("1/({})", time.text)).ok());
+    unit.flatten().unwrap_or_else(units::Unit::dimensionless)
 }
 
 /// Text of a virtual measurement of a run with the present parameters and initial values: a table as written by

@@ -20,7 +20,7 @@ mod variable;
 pub use intake::RecordProgress;
 pub use list::{ColumnView, RecordView};
 pub use measurement::{MEASUREMENT_FIELDS, MeasurementForm, measurement_units};
-pub use record::{LONGEST_RECORD, MOST_RECORDS};
+pub use record::{LONGEST_RECORD, LONGEST_SAVED, MOST_RECORDS};
 pub use sample::{SAMPLES, Sample};
 pub use variable::VariableView;
 

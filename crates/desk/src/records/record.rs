@@ -18,7 +18,7 @@ pub const LONGEST_RECORD: usize = 64 << 20;
 /// Maximum length of the text of a workbook sheet, in bytes.
 pub(crate) const LONGEST_TEXT: usize = LONGEST_RECORD;
 /// Maximum length of the stored texts of all records together, in bytes. Browsers store a few megabytes per site.
-pub(crate) const LONGEST_SAVED: usize = 1 << 20;
+pub const LONGEST_SAVED: usize = 1 << 20;
 
 /// A record of measured data.
 #[derive(Clone, Debug)]

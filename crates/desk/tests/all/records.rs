@@ -9,6 +9,7 @@ use figure::{Item, Settings};
 use play::Follows;
 use play::PlotId;
 use std::path::Path;
+use units::number::typed::NotRead;
 
 const THREE: &str = "0.1 0.40 -0.6\n0.2 0.33 -0.8\n0.3 0.24 -1.0\n0.4 0.13 -1.1\n";
 
@@ -74,11 +75,11 @@ fn columns_are_taken_for_what_a_person_says() {
     desk.change_records(|records, open| records.set_unit(open, id, 1, "cm")).unwrap();
     assert_eq!(
         desk.change_records(|records, open| records.set_unit(open, id, 1, "kg")).unwrap_err(),
-        Refusal::Play(play::Refusal::WrongUnit { typed: "kg".into(), expected: "m".into() })
+        Refusal::Play(NotRead::WrongUnit { typed: "kg".into(), expected: "m".into() }.into())
     );
     assert!(matches!(
         desk.change_records(|records, open| records.set_unit(open, id, 1, "wibble")),
-        Err(Refusal::Play(play::Refusal::UnknownUnit { .. }))
+        Err(Refusal::Play(play::Refusal::NotRead(NotRead::NotAUnit { .. })))
     ));
     desk.change_records(|records, open| records.set_quantity(open, id, 2, ""));
     desk.change_records(|records, _| records.set_fitted(id, 1, false));

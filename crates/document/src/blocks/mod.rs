@@ -1,5 +1,6 @@
 //! Blocks of a document other than model and drawing: their syntax, and the parts of the program made from them.
 
+mod amount;
 pub(crate) mod asked;
 pub(crate) mod assignment;
 pub(crate) mod curves;

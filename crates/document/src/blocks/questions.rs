@@ -163,6 +163,13 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     let after = raw.field("after").map_or(Vec::new(), |range| questions_before(expressions, range, earlier));
     let answer = sentence(source, answer, &grammar::ANSWER);
     let Some(within) = answer.phrases().next().and_then(|phrase| phrase.split_last(&["within"])) else {
+        if let Some(sign) = plus_minus(source, answer.span) {
+            let wrong = words("the tolerance of an answer follows the word `within`");
+            let diagnostic = Diagnostic::error("question-syntax", wrong, sign);
+            let hint = words("such as `within 2 %` or `within 0.1 [s]`");
+            expressions.diagnostics.push(diagnostic.with_hint(hint).with_fix(sign, "within"));
+            return None;
+        }
         expressions.diagnostics.push(
             Diagnostic::error("question-syntax", words("how exact must the answer be?"), answer.span)
                 .with_hint(words("end it with `within 2 %` or, say, `within 0.1 [s]`"))
@@ -174,6 +181,15 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     let tolerance = tolerances::read(expressions, within.after.span(), &answer_value, &TOLERANCE)?;
     let answer = answer_value.value;
     Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
+}
+
+/// Place of a sign `±` before the tolerance of an answer.
+fn plus_minus(source: &str, answer: Span) -> Option<Span> {
+    let text = &source[answer.range()];
+    ["±", "+/-", "+-"].iter().find_map(|sign| {
+        let at = answer.start + text.rfind(sign)?;
+        Some(Span::new(at, at + sign.len()))
+    })
 }
 
 /// Indices of the questions that must be answered first: `previous`, or numbers counted from 1.

@@ -1,10 +1,29 @@
 //! Settings of the run in the front matter.
 
+use super::amount::Setting;
 use super::front_matter::{FrontMatter, Value};
-use crate::expressions::wrong_dimension;
 use model::Diagnostic;
-use program::{Method, Model, Speed};
+use program::{Method, Model, Speed, UnknownMethod};
+use units::alphabet::without_accent;
 use units::{Unit, words};
+
+/// Names of languages without accents, and their codes.
+const NAMES: [(&str, &str); 14] = [
+    ("english", "en"),
+    ("ingles", "en"),
+    ("spanish", "es"),
+    ("espanol", "es"),
+    ("castellano", "es"),
+    ("portuguese", "pt"),
+    ("portugues", "pt"),
+    ("german", "de"),
+    ("deutsch", "de"),
+    ("aleman", "de"),
+    ("french", "fr"),
+    ("francais", "fr"),
+    ("italian", "it"),
+    ("italiano", "it"),
+];
 
 /// The checked front matter. Values are in SI units.
 pub struct Settings {
@@ -66,20 +85,34 @@ fn refuse_steps(matter: &FrontMatter, independent: &str, diagnostics: &mut Vec<D
 
 /// Error for an invalid language tag.
 pub fn no_language(language: &Value) -> Diagnostic {
-    Diagnostic::error("language", words!("`{}` is not a language", language.text), language.span)
-        .with_hint(words("write its code, such as `en`, `es` or `pt-BR`"))
+    let wrong = Diagnostic::error("language", words!("`{}` is not a language", language.text), language.span)
+        .with_hint(words("write its code, such as `en`, `es` or `pt-BR`"));
+    let plain: String = language.text.chars().map(without_accent).collect::<String>().to_lowercase();
+    match NAMES.iter().find(|(name, _)| *name == plain) {
+        Some((_, code)) => wrong.with_fix(language.span, *code),
+        None => wrong,
+    }
 }
 
-/// True if a text can be a language tag (BCP 47, roughly).
+/// True if a text can be a language tag (BCP 47, roughly). The name of a language is none.
 pub fn is_language(text: &str) -> bool {
-    text.len() <= 20
+    let is_name = NAMES.iter().any(|(name, _)| text.eq_ignore_ascii_case(name));
+    !is_name
+        && text.len() <= 20
         && text.split('-').all(|part| (1..=8).contains(&part.len()) && part.chars().all(|c| c.is_ascii_alphanumeric()))
         && text.starts_with(|c: char| c.is_ascii_alphabetic())
 }
 
 fn method(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<Method> {
     let method = value.text.parse::<Method>();
-    method.map_err(|unknown| diagnostics.push(Diagnostic::error("unknown-method", unknown.words(), value.span))).ok()
+    let unknown = |unknown: UnknownMethod| {
+        let wrong = Diagnostic::error("unknown-method", unknown.words(), value.span);
+        match unknown.meant() {
+            Some(meant) => wrong.meaning(meant.name()),
+            None => wrong,
+        }
+    };
+    method.map_err(|other| diagnostics.push(unknown(other))).ok()
 }
 
 fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
@@ -89,49 +122,13 @@ fn tolerance(value: &Value, diagnostics: &mut Vec<Diagnostic>) -> Option<f64> {
     }
     diagnostics.push(
         Diagnostic::error("setting", words("the tolerance is too large"), value.span)
-            .with_hint(words("it is relative; `1e-8` is usual and 0.1 the greatest")),
+            .with_hint(words("it is relative; `1e-8` is usual and 0.1 the greatest"))
+            .with_fix(value.span, "1e-8"),
     );
     None
 }
 
 /// Parses a positive number, bare (then in `unit`) or with a unit of the same dimension. Returns its SI value and the unit.
 fn quantity(key: &str, value: &Value, unit: &Unit, diagnostics: &mut Vec<Diagnostic>) -> Option<(f64, Unit)> {
-    let (number, stated) = match value.text.split_once('[') {
-        Some((number, rest)) => (number.trim(), rest.trim_end().strip_suffix(']')),
-        None => (value.text.as_str(), Some("")),
-    };
-    let malformed = || {
-        let example = if unit.text.is_empty() { format!("{key}: 1e-8") } else { format!("{key}: 0.05 [{unit}]") };
-        Diagnostic::error("setting", words!("`{key}` must be a positive number"), value.span)
-            .with_hint(words!("write `{example}`"))
-    };
-    let number: Option<f64> = number.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0);
-    let (Some(number), Some(stated)) = (number, stated) else {
-        diagnostics.push(malformed());
-        return None;
-    };
-    if stated.is_empty() {
-        return Some((unit.to_si(number), unit.clone()));
-    }
-    match Unit::parse(stated) {
-        Ok(stated) if stated.dimension == unit.dimension => {
-            let shown = if stated.turning(unit) == 1.0 { stated.clone() } else { unit.clone() };
-            Some((stated.to_si_of(number, unit), shown))
-        }
-        Ok(stated) => {
-            diagnostics.push(wrong_dimension(
-                words!("`{key}` has the wrong dimension"),
-                value.span,
-                stated.dimension,
-                unit.dimension,
-            ));
-            None
-        }
-        Err(error) => {
-            let mut diagnostic = Diagnostic::error(error.code, error.message, value.span);
-            diagnostic.hints.extend(error.hint.map(|hint| *hint));
-            diagnostics.push(diagnostic);
-            None
-        }
-    }
+    Setting { key, unit }.read(value).map_err(|wrong| diagnostics.push(*wrong)).ok()
 }

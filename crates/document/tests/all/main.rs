@@ -12,6 +12,7 @@ mod drawings;
 mod editing;
 mod hostile;
 mod independent;
+mod mistakes;
 mod open;
 mod plot_forms;
 mod reference;

@@ -2,7 +2,11 @@
 
 use super::now::now;
 use crate::app::App;
+use desk::number::typed::whole;
 use desk::{CalibrationForm, LengthsForm};
+
+/// Maximum number of intervals of a ruler.
+const MOST_INTERVALS: i64 = 1000;
 
 /// Sets the ruler, if two marks and a length are given.
 pub fn ruler(app: App) {
@@ -13,8 +17,19 @@ pub fn ruler(app: App) {
     if length.trim().is_empty() {
         return;
     }
-    let intervals = films.intervals.with_untracked(|typed| typed.trim().parse().unwrap_or(1)).max(1);
+    let Some(intervals) = intervals(app) else { return };
     change(app, move |form| form.lengths = LengthsForm::Ruler { marks: [from, to], length, intervals });
+}
+
+/// Number of intervals into which the marks divide the ruler; an empty field means one. `None` if another text is refused,
+/// which is then shown at the field.
+pub fn intervals(app: App) -> Option<u32> {
+    let typed = app.films.intervals.get_clone_untracked();
+    let style = app.language.get_untracked().style();
+    let read = if typed.trim().is_empty() { Ok(1) } else { whole(&typed, 1..=MOST_INTERVALS, style) };
+    let refused = read.as_ref().err().map(|why| why.words().text(app.language.get_untracked()).into_owned());
+    app.films.intervals_refused.set(refused);
+    read.ok().and_then(|number| u32::try_from(number).ok())
 }
 
 /// Sets the rectangle, if four corners and both lengths are given.

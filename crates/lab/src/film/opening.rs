@@ -130,6 +130,7 @@ fn begin(app: App) {
     films.selected.set(None);
     films.body.set(0);
     films.lengths_refused.set(None);
+    films.intervals_refused.set(None);
     refresh(app);
     let now = now(app);
     let form = now.as_ref().map(|now| now.form.clone()).unwrap_or_default();

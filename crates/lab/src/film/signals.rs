@@ -62,6 +62,8 @@ pub struct Films {
     pub sides: Signal<[String; 2]>,
     /// Refusal of the last change of the calibration.
     pub lengths_refused: Signal<Option<String>>,
+    /// Reason for which the number of intervals of the ruler was refused.
+    pub intervals_refused: Signal<Option<String>>,
     /// Counter, increased when the window changes its size.
     pub resized: Signal<u64>,
 }
@@ -96,6 +98,7 @@ impl Films {
             corners: create_signal(Vec::new()),
             sides: create_signal(Default::default()),
             lengths_refused: create_signal(None),
+            intervals_refused: create_signal(None),
             resized: create_signal(0),
         }
     }

@@ -41,12 +41,18 @@ fn work(app: App, id: u32, all: bool) -> Project {
 
 async fn carrying(app: App, page: String, work: Project) -> String {
     let language = app.language.get_untracked();
-    let facts = match Recomputation::begin(&work) {
-        Ok(recomputation) => recomputing::finished(recomputation).await.facts(),
-        Err(_) => Vec::new(),
+    let (facts, left_out) = match Recomputation::begin(&work) {
+        Ok(recomputation) => {
+            let done = recomputing::finished(recomputation).await;
+            let left_out = done.left_out().next().cloned();
+            (done.facts(), left_out)
+        }
+        Err(why) => (Vec::new(), Some(why)),
     };
     if facts.iter().all(|fact| fact.part != Part::Fit) {
-        let why = words("This page does not carry its data, because they are too long. It cannot be verified.");
+        // Without a reason, the record was too long to be stored.
+        let why = left_out.unwrap_or_else(|| words("its data are too long"));
+        let why = words!("This page does not carry its data, and cannot be verified: {why}.");
         return carry_nothing(&page, &why.text(language), language);
     }
     let sender = sender(app, String::new());

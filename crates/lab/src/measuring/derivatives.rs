@@ -2,10 +2,17 @@
 
 use crate::app::App;
 use crate::measuring::intake;
-use desk::{ColumnView, Differentiation, RecordView};
+use desk::number::typed::whole;
+use desk::{ColumnView, Differentiation, RecordView, WIDEST};
+use units::Language;
 use view::browser;
 use view::views::*;
 use web_sys::HtmlDetailsElement;
+
+/// Least and greatest number of rows of a smoothing polynomial that can be typed.
+const ROWS: [i64; 2] = [3, WIDEST as i64];
+/// Least and greatest degree of a smoothing polynomial.
+const DEGREES: [i64; 2] = [2, 7];
 
 /// The last selection, shared by all records, as long as the page is open.
 #[derive(Clone, Copy)]
@@ -15,6 +22,8 @@ pub struct Choice {
     smooth: Signal<bool>,
     window: Signal<String>,
     degree: Signal<String>,
+    window_refused: Signal<Option<String>>,
+    degree_refused: Signal<Option<String>>,
 }
 
 impl Choice {
@@ -25,15 +34,24 @@ impl Choice {
             smooth: create_signal(false),
             window: create_signal("9".to_owned()),
             degree: create_signal("3".to_owned()),
+            window_refused: create_signal(None),
+            degree_refused: create_signal(None),
         }
     }
 
-    fn method(self) -> Differentiation {
-        let number = |text: Signal<String>| text.with_untracked(|text| text.trim().parse().unwrap_or_default());
-        match self.smooth.get_untracked() {
-            true => Differentiation::Smooth { window: number(self.window), degree: number(self.degree) },
-            false => Differentiation::Central,
+    /// The chosen method; `None` if a number is refused, which is then shown at its field.
+    fn method(self, language: Language) -> Option<Differentiation> {
+        if !self.smooth.get_untracked() {
+            return Some(Differentiation::Central);
         }
+        let number = |[least, most]: [i64; 2], text: Signal<String>, refused: Signal<Option<String>>| {
+            let read = text.with_untracked(|text| whole(text, least..=most, language.style()));
+            refused.set(read.as_ref().err().map(|why| why.words().text(language).into_owned()));
+            usize::try_from(read.ok()?).ok()
+        };
+        let window = number(ROWS, self.window, self.window_refused);
+        let degree = number(DEGREES, self.degree, self.degree_refused);
+        Some(Differentiation::Smooth { window: window?, degree: degree? })
     }
 }
 
@@ -52,10 +70,9 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
     let place = format!("derive-{id}");
     let again = place.clone();
     let make = move |_| {
+        let Some(method) = choice.method(app.language.get_untracked()) else { return };
         let refusal = app.attempt_on_desk(|desk| {
-            desk.change_records(|records, open| {
-                records.make_derivatives(open, id, column.get_untracked(), choice.method())
-            })
+            desk.change_records(|records, open| records.make_derivatives(open, id, column.get_untracked(), method))
         });
         intake::refuse(app, refusal);
         browser::focus_later(again.clone());
@@ -106,20 +123,16 @@ pub fn view(app: App, record: &RecordView, choice: Choice) -> View {
 /// Fields for the number of rows and the degree of the smoothing polynomials.
 fn polynomial(app: App, id: u32, choice: Choice) -> View {
     let words = app.words();
-    let field = move |part: &str, name: &'static str, text: Signal<String>| {
+    let field = move |part: &str, name: &'static str, text: Signal<String>, refused: Signal<Option<String>>| {
         let id = format!("derive-{part}-{id}");
-        let input = input()
-            .r#type("text")
-            .class("number")
-            .id(id.clone())
+        let input = number_field(id.clone(), refused)
             .inputmode("numeric")
-            .autocomplete("off")
             .prop("value", text.get_clone_untracked())
             .when(events::input, move |event| text.set(value_of(&event)));
-        field_of(id, name).child(input)
+        View::from((field_of(id.clone(), name).child(input), why_refused(&id, refused)))
     };
     View::from((
-        field("rows", words.derivatives_rows, choice.window),
-        field("degree", words.derivatives_degree, choice.degree),
+        field("rows", words.derivatives_rows, choice.window, choice.window_refused),
+        field("degree", words.derivatives_degree, choice.degree, choice.degree_refused),
     ))
 }

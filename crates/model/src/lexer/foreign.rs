@@ -20,6 +20,8 @@ impl Lexer<'_> {
             self.foreign_comment();
         } else if CHANGES.iter().any(|text| rest.starts_with(text)) {
             self.change();
+        } else if rest.starts_with("++") || rest.starts_with("--") {
+            return self.increment();
         } else if rest.starts_with('?') {
             self.choice();
         } else if rest.starts_with('|') {
@@ -55,6 +57,28 @@ impl Lexer<'_> {
         };
         self.diagnostics.push(diagnostic);
         self.push(TokenKind::Symbol(Symbol::Equals), start);
+    }
+
+    /// `n++` at the end of an action. Returns true if it is one: `a--b` is a difference.
+    fn increment(&mut self) -> bool {
+        let start = self.at;
+        let span = Span::new(start, start + 2);
+        let ends = self.rest()[2..].trim_start_matches([' ', '\t']).starts_with(['}', ',', ';', '\n', '#']);
+        let Some(name) = self.name_before(start).filter(|_| ends || self.rest().len() == 2).map(str::to_owned) else {
+            return false;
+        };
+        self.at = span.end;
+        let text = &self.source[span.range()];
+        let wrong = words!("`{text}` is not an operator here: an action states the new value");
+        let sum = format!("= {name} {} 1", &text[..1]);
+        self.diagnostics.push(
+            Diagnostic::error("foreign-assignment", wrong, span)
+                .with_hint(words!("write `{name} {sum}`", sum = sum.clone()))
+                .with_fix(span, format!(" {sum}")),
+        );
+        self.push(TokenKind::Symbol(Symbol::Equals), start);
+        self.push(TokenKind::Unknown, start);
+        true
     }
 
     /// `|y|`. Returns true if there is a second bar.

@@ -9,10 +9,11 @@ mod token;
 
 pub(crate) use token::{Keyword, Symbol, Token, TokenKind};
 
+use crate::spanish_functions::in_english;
 use crate::{Diagnostic, Span, limits};
 use std::ops::Range;
 use token::{FOREIGN, JOINED, KEYWORDS, SYMBOLS, lone};
-use units::alphabet::{greek_name, lowered, primes};
+use units::alphabet::{greek_name, lowered, primes, without_accent};
 use units::words;
 
 /// Typical number of bytes per token, including blanks.
@@ -187,6 +188,29 @@ impl<'a> Lexer<'a> {
         (text, foreign)
     }
 
+    /// Reports a letter at `span` that a name cannot contain. `text`: the name that begins at `start`. Returns the name that
+    /// is meant: an accented word of a function in Spanish is the function, another word loses its accents.
+    fn foreign_letter(&mut self, text: String, span: Span, start: usize) -> String {
+        let whole = Span::new(start, self.at);
+        let written = &self.source[whole.range()];
+        if let Some(ours) = in_english(written).filter(|_| self.rest().trim_start().starts_with('(')) {
+            let wrong = words!("`{written}` is written `{ours}` here");
+            self.diagnostics.push(Diagnostic::error("unknown-function", wrong, whole).meaning(ours));
+            return ours.to_owned();
+        }
+        let letter = &self.source[span.range()];
+        let wrong = words!("`{letter}` cannot be part of a name");
+        let hint = words("names are made of the letters a to z, Greek letters, digits and _");
+        let mut found = Diagnostic::error("name-character", wrong, span).with_hint(hint);
+        // Without its tilde, `año` is another word.
+        let plain: String = text.chars().map(without_accent).collect();
+        if plain.is_ascii() && !text.contains(['ñ', 'Ñ']) {
+            found = found.with_fix(whole, plain);
+        }
+        self.diagnostics.push(found);
+        text
+    }
+
     fn name(&mut self) {
         if self.textbook_derivative() || self.spanish() {
             return;
@@ -204,10 +228,7 @@ impl<'a> Lexer<'a> {
             text += self.axis_here().map_or("", |(_, name)| name);
         }
         if let Some(span) = foreign {
-            let letter = &self.source[span.range()];
-            let wrong = words!("`{letter}` cannot be part of a name");
-            let hint = words("names are made of the letters a to z, Greek letters, digits and _");
-            self.diagnostics.push(Diagnostic::error("name-character", wrong, span).with_hint(hint));
+            text = self.foreign_letter(text, span, start);
         }
         if let Some((_, keyword)) = KEYWORDS.iter().find(|(word, _)| *word == text) {
             return self.push(TokenKind::Keyword(*keyword), start);
@@ -279,7 +300,9 @@ impl<'a> Lexer<'a> {
     }
 
     fn symbol(&mut self, first: char) {
-        if let Some(symbol) = lone(first).filter(|_| !self.byte(1).is_some_and(|next| JOINED.contains(&next))) {
+        let is_doubled = matches!(first, '+' | '-') && self.byte(1) == u8::try_from(first).ok();
+        let is_joined = is_doubled || self.byte(1).is_some_and(|next| JOINED.contains(&next));
+        if let Some(symbol) = lone(first).filter(|_| !is_joined) {
             self.at += 1;
             return self.push(TokenKind::Symbol(symbol), self.at - 1);
         }

@@ -7,6 +7,7 @@ use super::unknown_name::{Unknown, unknown_name};
 use crate::chance;
 use crate::limits;
 use crate::notation::{primed, quote};
+use crate::spanish_functions::in_english;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, FunctionStatement, Name, Span};
 use program::Size;
 use program::functions::Function;
@@ -187,6 +188,10 @@ impl<'a> NameCheck<'a> {
             {
                 diagnostic = diagnostic.with_hint(words!("`{text}` alone is its value at `{name}`"));
                 diagnostic = diagnostic.with_fix(span, text.as_str());
+            } else if let Some(late) =
+                arguments.first().and_then(|argument| foreign::at_another_time(self.scope, name, argument, span))
+            {
+                diagnostic = late;
             } else if let [argument] = arguments {
                 diagnostic = diagnostic
                     .with_hint(words!("for a product write `{text}*({})`", quote(argument)))
@@ -199,7 +204,7 @@ impl<'a> NameCheck<'a> {
             if let Some(derivative) = foreign::derivative_of(name, arguments) {
                 diagnostic = diagnostic.with_fix(span, derivative);
             }
-        } else if let Some(near) = foreign::in_english(text).or_else(|| self.scope.near_function(text)) {
+        } else if let Some(near) = in_english(text).or_else(|| self.scope.near_function(text)) {
             diagnostic = diagnostic.meaning(near);
         }
         self.diagnostics.push(diagnostic);

@@ -3,7 +3,7 @@
 use super::scope::{Meaning, Scope};
 use super::traverse::for_each;
 use crate::notation::{primed, quote};
-use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name};
+use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Name, Span};
 use program::AggregateKind;
 use program::functions::Function;
 use units::{Words, words};
@@ -14,36 +14,30 @@ const DERIVATIVES: [&str; 5] = ["der", "diff", "deriv", "derivative", "D"];
 /// Vector constructors of other languages.
 const VECTORS: [&str; 7] = ["vector", "vec", "Vector", "vec2", "vec3", "Vec2", "Vec3"];
 
-/// Function names in Spanish, without accents.
-const SPANISH: [(&str, &str); 22] = [
-    ("sen", "sin"),
-    ("seno", "sin"),
-    ("coseno", "cos"),
-    ("tg", "tan"),
-    ("tangente", "tan"),
-    ("arcsen", "asin"),
-    ("arcseno", "asin"),
-    ("arcos", "acos"),
-    ("arctg", "atan"),
-    ("senh", "sinh"),
-    ("raiz", "sqrt"),
-    ("absoluto", "abs"),
-    ("signo", "sign"),
-    ("suma", "sum"),
-    ("redondear", "round"),
-    ("piso", "floor"),
-    ("techo", "ceil"),
-    ("maximo", "maximum"),
-    ("minimo", "minimum"),
-    ("media", "mean"),
-    ("promedio", "mean"),
-    ("norma", "norm"),
-];
+/// Delays of other languages.
+const LATE: [&str; 5] = ["delay", "delayed", "lag", "retardo", "retraso"];
 
-/// The function that a Spanish word means.
-pub(super) fn in_english(function: &str) -> Option<&'static str> {
-    let plain: String = function.chars().map(units::alphabet::without_accent).collect();
-    SPANISH.iter().find(|(word, _)| *word == plain.to_lowercase()).map(|(_, ours)| *ours)
+/// Advice for an equation with a delay.
+fn follows_late(name: &str) -> Words {
+    words!(
+        "a quantity that follows `{name}` late: `z' = ({name} - z)/tau`, with a name of your own and its value at the start"
+    )
+}
+
+/// Error for a value at another time, `y(t - tau)`; `None` if the argument does not contain the independent variable.
+pub(super) fn at_another_time(scope: &Scope, name: &Name, argument: &Expression, span: Span) -> Option<Diagnostic> {
+    let text = &name.text;
+    let varies = matches!(scope.meaning(text), Some(Meaning::Variable(_) | Meaning::Definition(_)));
+    let mut has_time = false;
+    for_each(argument, |part| {
+        if let ExpressionKind::Name { name, order: 0 } = &part.kind {
+            has_time |= matches!(scope.meaning(name), Some(Meaning::Independent));
+        }
+    });
+    (varies && has_time).then(|| {
+        let wrong = words!("`{text}` at another time cannot be used: the equations have no delays");
+        Diagnostic::error("unknown-function", wrong, span).with_hint(follows_late(text))
+    })
 }
 
 /// Advice about a function that does not exist here.
@@ -65,6 +59,10 @@ pub(super) fn instead_of(scope: &Scope, function: &Name, arguments: &[Expression
     }
     if ["norm", "dot", "cross"].contains(&text.as_str()) {
         return Some(words!("`{text}` is for vectors, and here is none: one is defined as in `r = (x, y)`"));
+    }
+    if LATE.contains(&text.as_str()) {
+        let name = name.map_or("y", String::as_str);
+        return Some(follows_late(name));
     }
     let name = name.filter(|_| arguments.len() == 1)?;
     matches!(scope.meaning(name), Some(Meaning::Independent))

@@ -6,37 +6,16 @@ use super::typed::{Candidate, candidates, stated_units};
 use crate::{Course, Refusal, number};
 use engine::Readings;
 use units::Unit;
+use units::number::typed::NotRead;
 
 /// Significant digits of a value at rest.
 pub const DIGITS: usize = 6;
-
-/// Typed text, shortened to 40 characters for a message.
-pub(crate) fn shortened(typed: &str) -> String {
-    typed.trim().chars().take(40).collect()
-}
 
 impl Basis {
     /// Parses a value and returns it in SI: a number in `unit`, or with its own unit of the same dimension, with or without
     /// brackets. 1 Hz is read as 2 pi rad/s where `unit` counts angles, and the reverse.
     pub fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
-        let no_number = || Refusal::NotANumber { typed: shortened(typed) };
-        let (value, rest) = number::parse(typed, self.style()).ok_or_else(no_number)?;
-        let value = if rest.is_empty() {
-            unit.to_si(value)
-        } else {
-            let rest = rest.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(rest);
-            let unknown =
-                || match rest.starts_with(|c: char| c.is_ascii_punctuation() && c != '%' || "×·÷−±".contains(c)) {
-                    true => no_number(),
-                    false => Refusal::UnknownUnit { typed: shortened(rest) },
-                };
-            let own = Unit::parse(rest).map_err(|_| unknown())?;
-            if own.dimension != unit.dimension {
-                return Err(Refusal::WrongUnit { typed: shortened(rest), expected: number::unit_text(&unit.text) });
-            }
-            own.to_si_of(value, unit)
-        };
-        if value.is_finite() { Ok(value) } else { Err(no_number()) }
+        Ok(number::typed::quantity(typed, unit, self.style())?)
     }
 
     /// Refuses an expression with the value `value` in the unit `own`, if `unit` counts turns differently: whether it is
@@ -103,7 +82,7 @@ impl Basis {
             }
             Some(own) if pure => {
                 let (typed, expected) = (number::unit_text(&own.text), number::unit_text(&unit.text));
-                return Err(Some(Refusal::WrongUnit { typed, expected }));
+                return Err(Some(NotRead::WrongUnit { typed, expected }.into()));
             }
             Some(_) => return Err(None),
             // `60/2` is 30 degrees if degrees are expected, but `pi/6` and `theta_0/2` are angles themselves.

@@ -1,10 +1,10 @@
 //! Parsing of answers: a number or arithmetic with units, optionally with an error.
 
 use crate::basis::calculator::names;
-use crate::basis::input::shortened;
 use crate::basis::typed::candidates;
 use crate::{Basis, Course, Refusal, number};
 use units::Unit;
+use units::number::typed::shortened;
 
 /// A parsed answer, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]

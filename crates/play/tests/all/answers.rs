@@ -74,7 +74,7 @@ fn arithmetic_units_and_errors_are_understood() {
         (0, "15/4 m", Unreadable, "m measures something else; a unit such as s is needed."),
         (0, "T_0", Unreadable, "An answer consists of numbers and units; “T_0” is a quantity of the simulation."),
         (0, "2*pi/omega_0", Unreadable, "An answer consists of numbers"),
-        (0, "2*", Unreadable, "“2*” is not a number."),
+        (0, "2*", Unreadable, "“2*” is not a number. Write one such as 2.5 s."),
         (0, "3.76 ± 0.02 s", Correct, "Correct. The true value lies within your error."),
         (0, "3.76 +- 0.02", Correct, "Correct. The true value lies within your error."),
         (0, "3.76 +/- 0.02 s", Correct, "Correct. The true value lies within your error."),

@@ -52,14 +52,14 @@ fn what_is_typed_is_taken_in_any_unit_or_refused_in_words() {
     }
     for (name, text, expected) in [
         ("h_l", "", "Type a number."),
-        ("h_l", "much", "“much” is not a number."),
+        ("h_l", "much", "“much” is not a number. Write one such as 2.5 m."),
         ("h_l", "10", "Left height: at most 9 m."),
         ("h_l", "1.5", "Left height: at least 2 m."),
         ("h_l", "150 cm", "Left height: at least 2 m."),
         ("b", "-500", "Damping: at least 0 kg/s."),
         ("h_l", "3 kg", "kg measures something else; a unit such as m is needed."),
-        ("h_l", "3 furlongs", "“furlongs” is not a known unit."),
-        ("h_l", "1e999", "“1e999” is not a number."),
+        ("h_l", "3 furlongs", "“furlongs” is not a known unit. Write a number such as 2.5 m."),
+        ("h_l", "1e999", "“1e999” is not a number. Write one such as 2.5 m."),
     ] {
         assert_eq!(refused(&mut play, name, text), expected, "{name} = {text}");
     }

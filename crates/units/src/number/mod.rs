@@ -22,6 +22,7 @@ mod group;
 mod plain;
 mod read;
 mod sign;
+pub mod typed;
 
 pub use axis::{axis_unit, common_power, leading_exponent, resolved, scaled_by, tick};
 pub use error::{concise, with_error};

@@ -2,6 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
+use play::number::typed::whole;
 use play::{Index, Members};
 use web_sys::HtmlInputElement;
 
@@ -23,23 +24,29 @@ pub fn pickers(
         let node: HtmlInputElement = input.node();
         let choose =
             move |value: i64| app.act(|play| play.change_values(|values| values.choose_member(&name, place, value)));
+        let language = app.language.get_untracked();
+        let read = move |typed: &str| get().map(|index| whole(typed, index.least..=index.greatest, language.style()));
         let typed = {
             let (node, choose) = (node.clone(), choose.clone());
             move |_| {
                 // While the user types, the digits so far may not form a valid index.
-                let value = node.value().parse::<i64>().ok();
-                if let Some((value, index)) = value.zip(get())
-                    && (index.least..=index.greatest).contains(&value)
-                {
+                if let Some(Ok(value)) = read(&node.value()) {
                     choose(value);
                 }
             }
         };
         let taken = move |_| {
-            if let Ok(value) = node.value().parse() {
-                choose(value);
+            match read(&node.value()) {
+                Some(Ok(value)) => choose(value),
+                Some(Err(why)) => {
+                    app.complain(why.words().text(language).into_owned());
+                    // The nearest member is shown instead of one beyond the ends.
+                    if let Ok(beyond) = whole(&node.value(), i64::MIN..=i64::MAX, language.style()) {
+                        choose(beyond);
+                    }
+                }
+                None => {}
             }
-            // If there is no such member, another one is shown.
             node.set_value(&part(|index| index.value));
         };
         input

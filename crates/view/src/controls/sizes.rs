@@ -5,6 +5,7 @@ use crate::browser;
 use crate::pieces::symbols::name_and_symbol;
 use crate::views::*;
 use play::SizeView;
+use play::number::typed::whole;
 use web_sys::HtmlInputElement;
 
 /// Resets the sizes to the values of the document, if the page can. Returns true if a size has changed, so that the
@@ -35,8 +36,10 @@ pub fn control(app: App, size: SizeView) -> HtmlDiv {
     let node: HtmlInputElement = field.node();
     let (place, before) = (id.clone(), size.value);
     let take = move |_| {
-        let Ok(value) = node.value().trim().parse::<u32>() else {
-            return error.set(Some(words.size_whole.to_owned()));
+        let language = app.language.get_untracked();
+        let value = match whole(&node.value(), 0..=i64::from(u32::MAX), language.style()) {
+            Ok(value) => u32::try_from(value).unwrap_or_default(),
+            Err(why) => return error.set(Some(why.words().text(language).into_owned())),
         };
         if value == before {
             return error.set(None);

@@ -65,6 +65,22 @@ pub fn short_field(id: String) -> HtmlInput {
     input().r#type("text").class("number").id(id).autocomplete("off").attr("spellcheck", "false")
 }
 
+/// A text field for a number. `refused`: reason for which the last text was refused; [`why_refused`] shows it.
+pub fn number_field(id: impl Into<String>, refused: Signal<Option<String>>) -> HtmlInput {
+    let id: String = id.into();
+    let error = format!("{id}-error");
+    let is_refused = move || refused.with(Option::is_some);
+    short_field(id)
+        .enterkeyhint("done")
+        .attr("aria-invalid", move || is_refused().then_some("true"))
+        .attr("aria-describedby", move || is_refused().then(|| error.clone()))
+}
+
+/// The reason for which a [`number_field`] with this id refused its text.
+pub fn why_refused(id: &str, refused: Signal<Option<String>>) -> HtmlP {
+    refusal_of(refused).id(format!("{id}-error"))
+}
+
 /// A check box. If ticking it rebuilds the view, the focus returns to it.
 pub fn tick(id: String, ticked: bool, act: impl Fn(bool) + 'static) -> HtmlInput {
     let place = id.clone();

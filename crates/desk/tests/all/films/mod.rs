@@ -253,7 +253,10 @@ fn times_follow_the_factor_and_the_part() {
     assert!((columns(&desk)[0][74] - 74.0 / RATE / 8.0).abs() < 1e-6);
     desk.work_on_film(|films, play| films.set_part(play, [Some(1.0), None])).unwrap();
     assert_eq!(desk.records().list()[0].rows, 45);
-    desk.work_on_film(|films, play| films.set_part(play, [None, None])).unwrap();
+    for (typed, rows) in [("500 ms", 60), ("1/2", 60), ("0,5", 60), ("0.02 min", 39), ("", 75)] {
+        desk.work_on_film(|films, play| films.set_end(play, 0, typed)).unwrap();
+        assert_eq!(desk.records().list()[0].rows, rows, "{typed}");
+    }
     desk.work_on_film(|films, play| films.set_factor(play, "")).unwrap();
     assert_eq!((desk.records().list()[0].rows, desk.films().current().unwrap().factor()), (75, 1.0));
 }
@@ -261,7 +264,7 @@ fn times_follow_the_factor_and_the_part() {
 #[test]
 fn refusals_change_nothing_and_have_words_in_both_languages() {
     type Wrong = (&'static str, fn(&mut Desk) -> Result<(), Refusal>);
-    let wrong: [Wrong; 8] = [
+    let wrong: [Wrong; 11] = [
         ("click", |desk| {
             let position = [500.0, 10.0];
             desk.work_on_film(|films, play| {
@@ -279,6 +282,9 @@ fn refusals_change_nothing_and_have_words_in_both_languages() {
         ("dimension", |desk| length(desk, "10 kg")),
         ("sign", |desk| length(desk, "-10 cm")),
         ("factor", |desk| desk.work_on_film(|films, play| films.set_factor(play, "fast"))),
+        ("no time", |desk| desk.work_on_film(|films, play| films.set_end(play, 0, "abc"))),
+        ("time in kg", |desk| desk.work_on_film(|films, play| films.set_end(play, 1, "3 kg"))),
+        ("late", |desk| desk.work_on_film(|films, play| films.set_end(play, 0, "100 s"))),
         ("part", |desk| desk.work_on_film(|films, play| films.set_part(play, [Some(2.0), Some(1.0)]))),
     ];
     let mut desk = tracked();

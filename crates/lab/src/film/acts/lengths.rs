@@ -22,15 +22,21 @@ pub fn view(app: App) -> View {
     };
     let films = app.films;
     let length = short_field("film-length".to_owned())
-        .attr("placeholder", "10 cm")
         .enterkeyhint("done")
+        .attr("aria-invalid", move || films.lengths_refused.with(Option::is_some).then_some("true"))
+        .attr("placeholder", "10 cm")
         .attr("aria-describedby", "film-lengths-refused")
         .prop("value", move || films.length.get_clone())
         .when(events::change, move |event| take(films.length, value_of(&event), calibrating::ruler));
-    let intervals = short_field("film-intervals".to_owned())
+    let intervals = number_field("film-intervals", films.intervals_refused)
         .attr("inputmode", "numeric")
         .prop("value", move || films.intervals.get_clone())
-        .when(events::change, move |event| take(films.intervals, value_of(&event), calibrating::ruler));
+        .when(events::change, move |event| {
+            films.intervals.set(value_of(&event));
+            if calibrating::intervals(app).is_some() {
+                calibrating::ruler(app);
+            }
+        });
     let pixels = button()
         .class("quiet")
         .id("film-pixels")
@@ -60,6 +66,7 @@ pub fn view(app: App) -> View {
         ruler,
         tools,
         fields,
+        why_refused("film-intervals", films.intervals_refused),
         refusal_of(films.lengths_refused).id("film-lengths-refused"),
         p().class("film-scale").id("film-scale").role("status").child(text(scale)),
         changing(move || {
@@ -80,8 +87,11 @@ fn rectangle(app: App) -> View {
             app.films.sides.update(|sides| sides.get_mut(number).into_iter().for_each(|side| *side = typed.clone()));
             calibrating::rectangle(app);
         };
-        let field =
-            short_field(id.to_owned()).attr("placeholder", "20 cm").prop("value", now).when(events::change, take);
+        let field = short_field(id.to_owned())
+            .attr("placeholder", "20 cm")
+            .attr("aria-describedby", "film-lengths-refused")
+            .prop("value", now)
+            .when(events::change, take);
         field_of(id, name).child(field)
     };
     View::from((
@@ -112,7 +122,7 @@ fn parallax(app: App) -> View {
             now.set(value_of(&event));
             apply();
         };
-        let field = short_field(id.to_owned());
+        let field = short_field(id.to_owned()).attr("aria-describedby", "film-lengths-refused");
         let field =
             field.attr("placeholder", example).prop("value", move || now.get_clone()).when(events::change, take);
         field_of(id, name).child(field)

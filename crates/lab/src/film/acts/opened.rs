@@ -4,7 +4,6 @@ use super::notes;
 use super::tool::fold;
 use crate::app::App;
 use crate::film::now::now;
-use crate::film::refusals::refuse;
 use crate::film::{opening, words};
 use view::browser;
 use view::views::*;
@@ -46,13 +45,15 @@ fn factor(app: App) -> View {
             .map(|factor| units::number::plain(factor, 6, app.language.get_untracked().style()))
             .unwrap_or_default()
     });
+    let refused = create_signal(None);
     let take = move |event| {
         let typed = value_of(&event);
-        refuse(app, app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_factor(play, &typed))));
+        refused.set(app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_factor(play, &typed))));
     };
     let field =
-        short_field("film-factor".to_owned()).attr("placeholder", "1").prop("value", now).when(events::change, take);
-    View::from((field_of("film-factor", words.factor).child(field), note(words.factor_note)))
+        number_field("film-factor", refused).attr("placeholder", "1").prop("value", now).when(events::change, take);
+    let field = field_of("film-factor", words.factor).child(field);
+    View::from((field, why_refused("film-factor", refused), note(words.factor_note)))
 }
 
 /// Used part of the film.
@@ -64,33 +65,34 @@ fn part(app: App) -> View {
             let seconds = app.films.now.with(|now| now.as_ref().and_then(|now| now.part.get(end).copied().flatten()));
             seconds.map(|seconds| units::number::fixed(seconds, 3, style)).unwrap_or_default()
         });
-        let set = move |seconds: Option<f64>| {
-            let mut part = now(app).map(|now| now.part).unwrap_or_default();
-            if let Some(place) = part.get_mut(end) {
-                *place = seconds;
-            }
-            let refusal = app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_part(play, part)));
-            refuse(app, refusal);
+        let refused = create_signal(None);
+        let take = move |event| {
+            let typed = value_of(&event);
+            refused.set(app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_end(play, end, &typed))));
         };
-        let take = move |event| set(value_of(&event).trim().replace(',', ".").parse().ok());
         let here_now = move |_| {
             let player = app.with(|lab| lab.player.clone()).flatten();
             let times = player.map(|player| player.source.film.times()).unwrap_or_default();
-            set(times.get(app.films.frame.get_untracked()).copied());
+            let mut part = now(app).map(|now| now.part).unwrap_or_default();
+            if let Some(place) = part.get_mut(end) {
+                *place = times.get(app.films.frame.get_untracked()).copied();
+            }
+            refused.set(app.attempt_on_desk(|desk| desk.work_on_film(|films, play| films.set_part(play, part))));
         };
         let whole = memo(move || {
             let style = app.language.get_untracked().style();
             let ends = app.films.now.with(|now| now.as_ref().map(|now| now.whole)).unwrap_or_default();
             units::number::fixed(ends.get(end).copied().unwrap_or_default(), 3, style)
         });
-        let field = short_field(id.to_owned())
+        let field = number_field(id, refused)
             .attr("placeholder", move || whole.get_clone())
             .prop("value", shown)
             .when(events::change, take);
-        div()
+        let line = div()
             .class("step-line")
             .child(field_of(id, name).child(with_unit(field, "s")))
-            .child(button().class("quiet").when(events::click, here_now).child(here))
+            .child(button().class("quiet").when(events::click, here_now).child(here));
+        View::from((line, why_refused(id, refused)))
     };
     View::from((end(0, "film-from", words.from, words.from_here), end(1, "film-until", words.until, words.until_here)))
 }

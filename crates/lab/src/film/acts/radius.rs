@@ -4,7 +4,8 @@ use crate::app::App;
 use crate::film::aim::Kind;
 use crate::film::{tracking, words};
 use desk::Subject;
-use units::number::{parse, plain};
+use units::number::plain;
+use units::number::typed::counted;
 use view::browser;
 use view::views::*;
 
@@ -40,10 +41,11 @@ fn field(app: App, body: usize) -> View {
     };
     let take = move |event| {
         let typed = value_of(&event);
-        let read = parse(&typed, style).filter(|(_, rest)| rest.is_empty() || *rest == "px");
-        // The desk rejects NaN like an invalid radius.
-        let radius = read.map_or(f64::NAN, |(radius, _)| radius);
-        set((!typed.trim().is_empty()).then_some(radius));
+        let read = if typed.trim().is_empty() { Ok(None) } else { counted(&typed, "px", style).map(Some) };
+        match read {
+            Ok(radius) => set(radius),
+            Err(why) => refused.set(Some(why.words().text(app.language.get_untracked()).into_owned())),
+        }
     };
     let find = move |_| {
         set(None);
@@ -58,6 +60,7 @@ fn field(app: App, body: usize) -> View {
     let field = short_field("film-radius".to_owned())
         .attr("inputmode", "decimal")
         .enterkeyhint("done")
+        .attr("aria-invalid", move || refused.with(Option::is_some).then_some("true"))
         .attr("aria-describedby", "film-radius-said film-radius-note film-radius-refused")
         .prop("value", shown)
         .when(events::change, take);

@@ -7,6 +7,8 @@ use crate::app::App;
 use crate::film::words;
 use desk::{CameraSettings, FilmRecipe};
 use units::number::plain;
+use units::number::typed::{NotRead, counted, quantity, whole};
+use units::{Language, Unit};
 use view::views::*;
 use view::{browser, pieces::icons};
 
@@ -67,19 +69,35 @@ pub fn view(app: App) -> View {
     })
 }
 
+/// Text of a number field, and the reason for which it was refused.
+#[derive(Clone, Copy)]
+struct Typed {
+    text: Signal<String>,
+    refused: Signal<Option<String>>,
+}
+
+impl Typed {
+    /// The number read by `read`; `None` if the text is refused, which is then shown at the field.
+    fn read<T>(self, language: Language, read: impl FnOnce(&str) -> Result<T, NotRead>) -> Option<T> {
+        let found = self.text.with_untracked(|text| read(text));
+        self.refused.set(found.as_ref().err().map(|why| why.words().text(language).into_owned()));
+        found.ok()
+    }
+}
+
 fn form(app: App) -> View {
     let words = words::of(app);
     let style = app.language.get_untracked().style();
     let Some(usual) = app.read_desk(|desk| desk.films().usual_camera().ok()) else { return View::new() };
-    let typed = |value: f64| create_signal(plain(value, 4, style));
+    let typed = |value: f64| Typed { text: create_signal(plain(value, 4, style)), refused: create_signal(None) };
     let (seconds, rate, exposure) = (typed(usual.seconds), typed(usual.rate), typed(1e3 * usual.exposure));
     let (noise, seed) = (typed(usual.noise), typed(f64::from(usual.seed)));
-    let field = |id: &'static str, name: &'static str, value: Signal<String>, unit: &'static str| {
-        let field = short_field(id.to_owned())
+    let field = |id: &'static str, name: &'static str, Typed { text, refused }: Typed, unit: &'static str| {
+        let field = number_field(id, refused)
             .attr("inputmode", "decimal")
-            .prop("value", move || value.get_clone())
-            .when(events::input, move |event| value.set(value_of(&event)));
-        field_of(id, name).child(with_unit(field, unit))
+            .prop("value", move || text.get_clone())
+            .when(events::input, move |event| text.set(value_of(&event)));
+        View::from((field_of(id, name).child(with_unit(field, unit)), why_refused(id, refused)))
     };
     let ruler = app.read(|play| pixels(play).and_then(|pixels| Ruler::of(play, pixels))).map(|ruler| ruler.length);
     let known = match ruler {
@@ -87,17 +105,22 @@ fn form(app: App) -> View {
         None => words.filming_no_ruler.to_owned(),
     };
     let start = move |_| {
-        let number = |value: Signal<String>| {
-            let typed = value.get_clone_untracked();
-            desk::number::parse(&typed, style).filter(|(_, rest)| rest.is_empty()).map_or(f64::NAN, |(value, _)| value)
+        let language = app.language.get_untracked();
+        let quantity = |typed: Typed, unit: &str| {
+            let unit = Unit::parse(unit).unwrap_or_else(|_| Unit::dimensionless());
+            typed.read(language, |text| quantity(text, &unit, style))
         };
-        let settings = CameraSettings {
-            seconds: number(seconds),
-            rate: number(rate),
-            exposure: number(exposure) / 1e3,
-            noise: number(noise),
-            seed: number(seed) as u32,
-        };
+        // All fields are read, so that each one shows its own refusal.
+        let numbers = (
+            quantity(seconds, "s"),
+            quantity(rate, "1/s"),
+            quantity(exposure, "ms"),
+            noise.read(language, |text| counted(text, "/ 255", style)),
+            seed.read(language, |text| whole(text, 0..=i64::from(u32::MAX), style)),
+        );
+        let (Some(seconds), Some(rate), Some(exposure), Some(noise), Some(seed)) = numbers else { return };
+        let seed = u32::try_from(seed).unwrap_or_default();
+        let settings = CameraSettings { seconds, rate, exposure, noise, seed };
         let recipe = app.with(|lab| {
             let desk = lab.desk.as_ref()?;
             Some(desk.films().recipe(settings).map_err(|why| why.text(desk.play())))

@@ -3,9 +3,20 @@
 
 use crate::lexer::{Symbol, TokenKind};
 use crate::parser::cursor::Cursor;
+use crate::parser::expression::bare_unit::BareUnit;
 use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, UnaryOperator};
 use program::functions::Function;
 use units::words;
+
+/// Maximum number of characters of the line that are searched for the index of a family.
+const LOOKED_AT: usize = 200;
+
+/// Maximum number of tokens of a unit.
+const MOST_OF_UNIT: usize = 40;
+
+/// Words that can follow a value and are no operands.
+const WORDS: [&str; 12] =
+    ["as", "for", "from", "within", "at", "against", "until", "step", "of", "always", "assigned", "over"];
 
 impl Cursor<'_> {
     /// Span of the names and numbers that are multiplied, divided or raised from the next token on: the argument in `sin
@@ -63,6 +74,27 @@ impl Cursor<'_> {
         self.say(Diagnostic::error("foreign-power", wrong, place).with_fix(place, ours));
     }
 
+    /// True if the next token, `i` directly after a number, is no index of a family or sum in the same line.
+    fn is_imaginary(&self) -> bool {
+        let at = self.span();
+        let line: String = self.source[at.end..].chars().take_while(|c| *c != '\n').take(LOOKED_AT).collect();
+        let index = format!("for {}", &self.source[at.range()]);
+        let ends =
+            line.trim_start().chars().next().is_none_or(|c| matches!(c, '+' | '-' | '*' | '/' | ')' | '"' | '#'));
+        ends && !line.contains(&index)
+    }
+
+    /// True if another operand follows the names of a unit: `1/2 m y'^2` is a product.
+    fn has_operand_after(&self, unit: &BareUnit<'_>) -> bool {
+        let after = |&ahead: &usize| self.span_ahead(ahead).start >= unit.span.end;
+        let Some(ahead) = (0..MOST_OF_UNIT).find(after) else { return false };
+        match self.peek_ahead(ahead) {
+            TokenKind::Name { text, .. } => !WORDS.contains(&text.as_str()),
+            TokenKind::Number(_) => true,
+            _ => false,
+        }
+    }
+
     /// Reports the missing operator between an expression and the operand after it.
     pub(in crate::parser) fn missing_operator(&mut self, left: &Expression) {
         if let Some(power) = power_of_function(left) {
@@ -96,7 +128,12 @@ impl Cursor<'_> {
         };
         let product = words!("a product is written with *: {before}*{now}{rest}");
         let is_number = matches!(last.kind, ExpressionKind::Number { unit: None, .. });
-        let unit = self.bare_unit().filter(|_| is_number);
+        if is_number && gap.start == gap.end && matches!(now, "i" | "j") && self.is_imaginary() {
+            let wrong = words("complex numbers are not part of the language");
+            let hint = words("write the real and the imaginary part as two quantities");
+            return self.say(Diagnostic::error("foreign-name", wrong, last.span.to(next)).with_hint(hint));
+        }
+        let unit = self.bare_unit().filter(|unit| is_number && !self.has_operand_after(unit));
         if let Some(unit) = unit.as_ref().filter(|unit| unit.is_certain) {
             return self.say(unit.after(before).with_hint(product).with_fix(gap, "*"));
         }

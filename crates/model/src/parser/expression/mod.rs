@@ -9,7 +9,7 @@ mod vector;
 use super::cursor::{Cursor, Read};
 use super::unread;
 use crate::lexer::{Keyword, Symbol, TokenKind};
-use crate::{BinaryOperator, Diagnostic, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
+use crate::{BinaryOperator, Diagnostic, Edit, Expression, ExpressionKind, Span, StatedUnit, UnaryOperator};
 use units::{Words, words};
 
 /// Maximum nesting depth of parentheses, prefixes, exponents and branches.
@@ -258,9 +258,37 @@ impl Cursor<'_> {
         Ok(Tree { expression: Expression { kind, span }, height, parenthesised: false })
     }
 
+    /// Error for an event written as `if CONDITION then y' = -y'` or `if CONDITION { y' = -y' }`, at the token where another one
+    /// is expected. `start`: the `if`, which begins a statement.
+    fn event_meant(&self, keyword: Keyword, start: Span) -> Option<Diagnostic> {
+        let source = self.source;
+        let before = source[..start.start].rsplit('\n').next().unwrap_or_default();
+        if !before.trim().is_empty() {
+            return None;
+        }
+        let when = Edit { span: start, text: "when".to_owned() };
+        let edits = match (keyword, self.peek()) {
+            (Keyword::Then, TokenKind::Symbol(Symbol::LeftBrace)) => vec![when],
+            (Keyword::Else, TokenKind::Symbol(Symbol::Equals)) => {
+                let at = start.end + source[start.end..self.span().start].rfind("then")?;
+                let line = source[at..].lines().next().unwrap_or_default();
+                let end = at + line.split('#').next().unwrap_or_default().trim_end().len();
+                let brace = Edit { span: Span::new(at, at + "then".len()), text: "{".to_owned() };
+                vec![when, brace, Edit { span: Span::new(end, end), text: " }".to_owned() }]
+            }
+            _ => return None,
+        };
+        let wrong = words("what changes at a moment is an event, which begins with `when`");
+        let hint = words("the form is: when CONDITION { y' = EXPRESSION }");
+        Some(Diagnostic::error("event-action", wrong, start).with_hint(hint).with_fixes(edits))
+    }
+
     fn expect_keyword(&mut self, keyword: Keyword, word: &str, start: Span) -> Read<()> {
         if self.take_keyword(keyword).is_some() {
             return Ok(());
+        }
+        if let Some(event) = self.event_meant(keyword, start) {
+            return self.fail(event);
         }
         let code = if keyword == Keyword::Then { "missing-then" } else { "missing-else" };
         let diagnostic = if self.at_line_end() && *self.peek_ahead(1) == TokenKind::Keyword(keyword) {

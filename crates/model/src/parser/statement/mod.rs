@@ -35,6 +35,9 @@ const OTHER_WORDS: &[(&str, &[&str])] = &[
     ("when", &["event", "on", "while"]),
 ];
 
+/// Words of mechanics by which other programs derive equations of motion.
+const VARIATIONAL: [&str; 5] = ["lagrangian", "lagrange", "hamiltonian", "lagrangiano", "hamiltoniano"];
+
 /// The parsed part of a statement, and the result; after an error the end of the statement is not checked.
 pub(super) type Salvaged = (StatementKind, Read<()>);
 
@@ -76,6 +79,7 @@ impl Cursor<'_> {
             TokenKind::Name { .. } if self.begins_with("size") => self.size(),
             TokenKind::Name { .. } if self.is_table() => self.table(first),
             TokenKind::Name { .. } if self.begins_with("for") => (nothing(start), self.no_loop()),
+            TokenKind::Name { .. } if self.at_variational() => (nothing(start), self.variational()),
             TokenKind::Name { .. } if self.meant_word().is_some() => (nothing(start), self.unknown_word()),
             TokenKind::Keyword(Keyword::Parameter) => self.parameter(),
             TokenKind::Keyword(Keyword::Independent) => self.independent(),
@@ -133,6 +137,20 @@ impl Cursor<'_> {
         let lower = self.source[self.span().range()].to_lowercase();
         let is_meant = |(ours, others): &&(&str, &[&str])| *ours == lower || others.contains(&lower.as_str());
         OTHER_WORDS.iter().find(is_meant).map(|(ours, _)| *ours)
+    }
+
+    /// True at `lagrangian L = ...` and its like.
+    fn at_variational(&self) -> bool {
+        let lower = self.source[self.span().range()].to_lowercase();
+        VARIATIONAL.contains(&lower.as_str()) && matches!(self.peek_ahead(1), TokenKind::Name { .. })
+    }
+
+    fn variational(&mut self) -> Read<()> {
+        let wrong = words("equations of motion are not derived from an energy here");
+        self.fail(
+            Diagnostic::error("unknown-word", wrong, self.span())
+                .with_hint(words("write them out, one for each coordinate, such as: m*x'' = -k*x")),
+        )
     }
 
     fn unknown_word(&mut self) -> Read<()> {

@@ -4,13 +4,17 @@
 mod cells;
 mod clock;
 mod decode;
+mod device;
 mod first;
 mod format;
 mod head;
+mod json;
 mod lines;
 mod mixed;
 mod number;
 mod others;
+mod overflow;
+mod program;
 mod refusal;
 mod rows;
 mod runs;
@@ -24,7 +28,9 @@ pub use cells::Delimiter;
 pub(crate) use cells::cells_of;
 pub(crate) use decode::characters;
 pub use decode::look;
+pub use device::Remark as DeviceRemark;
 pub use format::Format;
+pub use program::Program;
 pub use refusal::{ImportError, Refusal};
 
 use crate::error_name::{self, Belongs};
@@ -33,13 +39,16 @@ use crate::origin::Origin;
 use crate::table::{Column, Table};
 use crate::{roles, scale_line};
 use clock::Form;
+use device::Device;
 use first::First;
 use head::Head;
+use json::Json;
 use number::Signs;
 use rows::Rows;
 use settle::ClockColumn;
 use stamp::Stamped;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use units::Unit;
 
 /// Imported table, with notes on how it was read.
@@ -99,6 +108,8 @@ enum Pass {
     Separators(separators::Survey),
     Mixed(mixed::Survey),
     Rows(Rows),
+    /// The file of a known instrument.
+    Device(Box<Device>),
     Refused(ImportError),
 }
 
@@ -108,6 +119,18 @@ impl<'a> Importer<'a> {
     /// # Errors
     /// There are no rows of numbers.
     pub fn new(text: Cow<'a, str>) -> Result<Self, ImportError> {
+        let nuls = text.bytes().filter(|byte| *byte == 0).count();
+        if nuls > 0 {
+            let mut importer = Self::new(Cow::Owned(text.replace('\0', "")))?;
+            importer.findings.push(Finding::Nuls(nuls));
+            return Ok(importer);
+        }
+        if let Some(device) = device::recognise(&text) {
+            return Ok(Self::of_device(text, device));
+        }
+        if let Some(json) = json::read(&text) {
+            return Self::of_json(text, json);
+        }
         if let Some(bare) = stamp::without(&text) {
             let stamped = Stamped::new(format::recognise(&bare).0);
             let format = Format { delimiter: stamped.delimiter, decimal: b'.', thousands: None, header_lines: 0 };
@@ -126,10 +149,30 @@ impl<'a> Importer<'a> {
         if cells.trim_start().is_empty() {
             return Err(ImportError::new(None, Refusal::Empty));
         }
+        if let Some(device) = device::recognise(&cells) {
+            return Ok(Self::of_device(cells, device));
+        }
         // If that fails: numbers stored as texts in a sheet can have any form.
         Self::begin(cells, Delimiter::Tab, Signs::plain(b'.'), None)
             .map(|importer| Self { sheet: true, ..importer })
             .or_else(|(_, cells)| Self::new(cells))
+    }
+
+    /// Begins to read the table in a text of JSON.
+    fn of_json(text: Cow<'a, str>, json: Json) -> Result<Self, ImportError> {
+        let Json::Table(table) = json else { return Err(ImportError::new(None, Refusal::Json)) };
+        let begun = Self::begin(Cow::Owned(table.cells), Delimiter::Tab, Signs::plain(b'.'), Some(text));
+        let mut importer = begun.map_err(|(error, _)| ImportError { line: None, ..error })?;
+        importer.sheet = true;
+        importer.findings.push(Finding::Json(table.left_out));
+        Ok(importer)
+    }
+
+    /// Begins to read the file of a known instrument.
+    fn of_device(text: Cow<'a, str>, device: Device) -> Self {
+        let format = Format { delimiter: Delimiter::Tab, decimal: b'.', thousands: None, header_lines: 0 };
+        let (first, pass) = (First { line: 0, offset: 0 }, Pass::Device(Box::new(device)));
+        Self { text, original: None, sheet: false, format, first, pass, findings: Vec::new(), read: 0 }
     }
 
     /// Begins to read a text with known delimiter and signs; returns the text with the error if there are no rows.
@@ -166,13 +209,14 @@ impl<'a> Importer<'a> {
                 let header: Vec<&str> = header.lines().collect();
                 table.read(rest, budget, &format, &header)
             }
+            Pass::Device(device) => device.read(rest, budget),
             Pass::Refused(_) => return true,
         };
         let settled = matches!(&self.pass, Pass::Separators(survey) if survey.is_settled());
         if self.read < rows.len() && !settled {
             return false;
         }
-        if matches!(self.pass, Pass::Rows(_)) {
+        if matches!(self.pass, Pass::Rows(_) | Pass::Device(_)) {
             return true;
         }
         self.next_pass();
@@ -221,6 +265,7 @@ impl<'a> Importer<'a> {
             Pass::Stamps(_) => (0.0, 0.1),
             Pass::Separators(_) => (0.1, 0.2),
             Pass::Mixed(_) => (0.2, 0.4),
+            Pass::Device(_) => (0.0, 1.0),
             Pass::Rows(_) | Pass::Refused(_) => (0.4, 1.0),
         };
         from + (to - from) * part.min(1.0)
@@ -233,9 +278,14 @@ impl<'a> Importer<'a> {
     /// its numbers is ambiguous.
     pub fn finish(mut self) -> Result<(Import, Cow<'a, str>), ImportError> {
         while !self.advance(usize::MAX) {}
-        let Self { text, original, format, first, pass, mut findings, .. } = self;
+        let Self { text, original, sheet, format, first, pass, mut findings, .. } = self;
         let mut rows = match pass {
             Pass::Rows(rows) => rows,
+            Pass::Device(device) => {
+                let (table, of_device, format) = device.finish()?;
+                findings.extend(of_device);
+                return Ok((Import { table, findings, format }, text));
+            }
             Pass::Refused(error) => return Err(error),
             _ => return Err(ImportError::new(None, Refusal::Empty)),
         };
@@ -258,21 +308,29 @@ impl<'a> Importer<'a> {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
         if original.is_some()
+            && !sheet
             && let Some(unit) = stamp::prefer_own_times(&mut columns)
         {
             kept.remove(0);
             columns.iter_mut().for_each(|column| column.origin.number = column.origin.number.saturating_sub(1));
             findings.push(Finding::Stamps { unit: unit.text });
         }
+        let overflows = overflow::undo(&mut columns);
         let scale_error = scale_line::read(head_lines.iter().copied());
         findings.extend(scale_error.map(Finding::Scale));
         let mut table = Table { columns, scale_error, sets: false, readings: Vec::new() };
+        findings.extend(overflows.iter().map(|overflow| Finding::Overflow {
+            column: table.label(overflow.column),
+            bits: overflow.bits,
+            count: overflow.count,
+        }));
         let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         if table.readings.is_empty() {
             runs::side_by_side(&mut table, &rows.repeats);
         }
-        let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
+        let labels = table.labels();
+        let label = |index| kept.binary_search(&index).ok().and_then(|place| labels.get(place).cloned());
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
         let other_sign =
             |column: &usize| Some(Finding::OtherSign { column: label(*column)?, point: format.decimal == b',' });
@@ -299,14 +357,23 @@ impl Pass {
 /// is not reported.
 fn errors(table: &Table) -> Vec<Heading> {
     let mut said = Vec::new();
+    let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (index, column) in table.columns.iter().enumerate() {
+        named.entry(&column.name).or_default().push(index);
+    }
     for (index, column) in table.columns.iter().enumerate() {
         let Some(belongs) = error_name::of(&column.name) else { continue };
-        let owners = || (0..table.columns.len()).filter(|own| *own != index);
-        let owner = owners().find(|own| table.errors_of(*own) == Some(index));
-        let called = match belongs {
-            Belongs::To(name) | Belongs::Perhaps(name) => owners().find(|own| table.columns[*own].name == name),
-            Belongs::ToPrevious => index.checked_sub(1),
+        if said.len() >= FINDINGS {
+            break;
+        }
+        let owners: Vec<usize> = match belongs {
+            Belongs::To(name) | Belongs::Perhaps(name) => {
+                named.get(name).into_iter().flatten().copied().filter(|own| *own != index).collect()
+            }
+            Belongs::ToPrevious => index.checked_sub(1).into_iter().collect(),
         };
+        let owner = owners.iter().copied().find(|own| table.errors_of(*own) == Some(index));
+        let called = owners.first().copied();
         let label = table.label(index);
         match (owner, called, belongs) {
             (Some(own), _, _) => {
@@ -370,6 +437,11 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
         columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
     }
     (columns, kept)
+}
+
+/// True for a unit by its symbol or a word, or a scale of temperatures: `ms`, `Sekunden`, `°C`.
+pub(crate) fn is_unit(text: &str) -> bool {
+    head::is_unit(text)
 }
 
 /// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.

@@ -8,6 +8,7 @@ mod cycle_errors;
 mod cycles;
 mod data_sets;
 mod derivatives;
+mod device_variants;
 mod estimate;
 mod fits;
 mod headings;

@@ -10,7 +10,9 @@ use crate::{data_sets, import, roles};
 pub use heading::{Certainty, Heading};
 use units::{Language, say};
 pub(crate) use words::readings;
-use words::{backwards, called, clock, decimal, json, missing, overflow, reading, rounded_step, runs, separator, word};
+use words::{
+    backwards, called, clock, decimal, json, missing, nuls, overflow, reading, rounded_step, runs, separator, word,
+};
 
 /// Note for the user on their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -198,10 +200,7 @@ impl Finding {
             Self::DataSets(remark) => remark.text(language),
             Self::Device(remark) => remark.text(language),
             Self::Json(left_out) => json(left_out, language),
-            Self::Nuls(count) => say!(
-                language,
-                "{count} NUL bytes were left out; a logger writes them on a reset or a loss of power, so rows may be missing there"
-            ),
+            Self::Nuls(count) => nuls(*count, language),
             Self::Overflow { column, bits, count } => overflow(column, *bits, *count, language),
             Self::Word { line, column, text } => word(*line, column, text, language),
             Self::MoreWords(count) => say!(language, "{count} more cells are not numbers and became gaps"),

@@ -141,6 +141,19 @@ pub(super) fn json(left_out: &[String], language: Language) -> String {
     say!(language, "the table was read from JSON; these lists have another length and were left out: {names}")
 }
 
+/// Note on NUL bytes in a text.
+pub(super) fn nuls(count: usize, language: Language) -> String {
+    match count {
+        1 => language
+            .say("a NUL byte was left out; a logger writes them on a reset or a loss of power, so rows may be missing there")
+            .to_owned(),
+        _ => say!(
+            language,
+            "{count} NUL bytes were left out; a logger writes them on a reset or a loss of power, so rows may be missing there"
+        ),
+    }
+}
+
 /// Note on the overflows of a counter.
 pub(super) fn overflow(column: &str, bits: i32, count: usize, language: Language) -> String {
     let column = called(column, language);

@@ -2,15 +2,18 @@
 //! variables are recognised automatically.
 
 mod cells;
+mod checks;
 mod clock;
 mod decode;
 mod device;
 mod first;
 mod format;
 mod head;
+mod influx;
 mod json;
 mod lines;
 mod mixed;
+mod notes;
 mod number;
 mod others;
 mod overflow;
@@ -33,22 +36,20 @@ pub use format::Format;
 pub use program::Program;
 pub use refusal::{ImportError, Refusal};
 
-use crate::error_name::{self, Belongs};
-use crate::finding::{Finding, Heading};
+use crate::finding::Finding;
 use crate::origin::Origin;
 use crate::table::{Column, Table};
 use crate::{roles, scale_line};
-use clock::Form;
+use checks::{refuse_double_commas, refuse_unread_times};
 use device::Device;
 use first::First;
 use head::Head;
 use json::Json;
+use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
 use rows::Rows;
-use settle::ClockColumn;
 use stamp::Stamped;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use units::Unit;
 
 /// Imported table, with notes on how it was read.
@@ -61,9 +62,6 @@ pub struct Import {
     /// Notation of the file.
     pub format: Format,
 }
-
-/// Upper bound of the reported findings about columns.
-const FINDINGS: usize = 20;
 
 /// Reads delimited text.
 ///
@@ -128,8 +126,14 @@ impl<'a> Importer<'a> {
         if let Some(device) = device::recognise(&text) {
             return Ok(Self::of_device(text, device));
         }
-        if let Some(json) = json::read(&text) {
-            return Self::of_json(text, json);
+        match json::read(&text) {
+            Some(Json::Table(table)) => return Self::of_cells(text, table.cells, Finding::Json(table.left_out)),
+            Some(Json::NoTable) => return Err(ImportError::new(None, Refusal::Json)),
+            None => {}
+        }
+        if let Some(cells) = influx::read(&text) {
+            let remark = DeviceRemark::Recognised { name: "InfluxDB" };
+            return Self::of_cells(text, cells, Finding::Device(remark));
         }
         if let Some(bare) = stamp::without(&text) {
             let stamped = Stamped::new(format::recognise(&bare).0);
@@ -158,13 +162,12 @@ impl<'a> Importer<'a> {
             .or_else(|(_, cells)| Self::new(cells))
     }
 
-    /// Begins to read the table in a text of JSON.
-    fn of_json(text: Cow<'a, str>, json: Json) -> Result<Self, ImportError> {
-        let Json::Table(table) = json else { return Err(ImportError::new(None, Refusal::Json)) };
-        let begun = Self::begin(Cow::Owned(table.cells), Delimiter::Tab, Signs::plain(b'.'), Some(text));
+    /// Begins to read the cells that were made from a text, with tabs between them.
+    fn of_cells(text: Cow<'a, str>, cells: String, finding: Finding) -> Result<Self, ImportError> {
+        let begun = Self::begin(Cow::Owned(cells), Delimiter::Tab, Signs::plain(b'.'), Some(text));
         let mut importer = begun.map_err(|(error, _)| ImportError { line: None, ..error })?;
         importer.sheet = true;
-        importer.findings.push(Finding::Json(table.left_out));
+        importer.findings.push(finding);
         Ok(importer)
     }
 
@@ -353,43 +356,6 @@ impl Pass {
     }
 }
 
-/// Notes on columns taken as the standard errors of others, and on columns that only have such a name. `sigma_y` beside `y`
-/// is not reported.
-fn errors(table: &Table) -> Vec<Heading> {
-    let mut said = Vec::new();
-    let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    for (index, column) in table.columns.iter().enumerate() {
-        named.entry(&column.name).or_default().push(index);
-    }
-    for (index, column) in table.columns.iter().enumerate() {
-        let Some(belongs) = error_name::of(&column.name) else { continue };
-        if said.len() >= FINDINGS {
-            break;
-        }
-        let owners: Vec<usize> = match belongs {
-            Belongs::To(name) | Belongs::Perhaps(name) => {
-                named.get(name).into_iter().flatten().copied().filter(|own| *own != index).collect()
-            }
-            Belongs::ToPrevious => index.checked_sub(1).into_iter().collect(),
-        };
-        let owner = owners.iter().copied().find(|own| table.errors_of(*own) == Some(index));
-        let called = owners.first().copied();
-        let label = table.label(index);
-        match (owner, called, belongs) {
-            (Some(own), _, _) => {
-                let unused = table.columns[own].independent == own;
-                if unused || column.name != format!("sigma_{}", table.columns[own].name) {
-                    said.push(Heading::Errors { column: label, of: table.label(own), unused });
-                }
-            }
-            (None, Some(own), _) => said.push(Heading::NotErrors { column: label, of: Some(table.label(own)) }),
-            (None, None, Belongs::To(_)) => said.push(Heading::NotErrors { column: label, of: None }),
-            (None, None, _) => {}
-        }
-    }
-    said
-}
-
 /// Reads the cells of a spreadsheet, by the same rules as a text.
 ///
 /// The cells come as text. A row is a line; cells are separated by tabs and keep their columns in the sheet. Numbers have a
@@ -451,53 +417,4 @@ pub fn unit(text: &str) -> Option<Unit> {
 
 fn called(name: &str, index: usize) -> String {
     if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
-}
-
-fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
-    Finding::Clock {
-        column,
-        days: clock.form == Form::Date,
-        wrapped: clock.times.wrapped,
-        minutes: clock.times.guessed,
-    }
-}
-
-/// Note on the runs of a logger, if there are several.
-fn runs_finding(table: &Table) -> Option<Finding> {
-    let runs: Vec<String> = table.runs().into_iter().map(|(name, _)| name).collect();
-    (runs.len() > 1).then_some(Finding::Runs(runs))
-}
-
-/// Refuses a column named as a time that holds only words: otherwise the next column would be taken for the time.
-fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
-    let mut unread = None;
-    let columns = heads.iter().zip(&rows.columns).enumerate();
-    for (index, (head, values)) in columns.filter(|(_, (head, _))| roles::is_time(&head.name)) {
-        if values.iter().any(|value| value.is_finite()) {
-            return Ok(());
-        }
-        unread = unread.or_else(|| rows.first_word(index).map(|(line, text)| (line, head.name.clone(), text)));
-    }
-    match unread {
-        Some((line, column, text)) => Err(ImportError::new(Some(line), Refusal::Times { column, text })),
-        None => Ok(()),
-    }
-}
-
-/// Refuses two names over four numbers with commas everywhere: some commas may be decimal signs.
-fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
-    let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
-    let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
-    if format.delimiter == Delimiter::Comma
-        && names >= 2
-        && rows.columns.len() == 2 * names
-        && heads.iter().skip(names).all(|head| head.name.is_empty())
-        && rows.columns.iter().all(whole)
-    {
-        return Err(ImportError::new(
-            Some(format.header_lines + 1),
-            Refusal::Commas { names, cells: rows.columns.len() },
-        ));
-    }
-    Ok(())
 }

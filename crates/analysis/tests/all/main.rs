@@ -9,6 +9,7 @@ mod cycles;
 mod data_sets;
 mod derivatives;
 mod device_variants;
+mod devices;
 mod estimate;
 mod fits;
 mod headings;

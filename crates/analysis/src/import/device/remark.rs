@@ -60,7 +60,7 @@ impl Remark {
                 }
             }
             Self::NoIncrement => language
-                .say("the header states no time between two rows: the rows are counted by `index`, which is no time; state the step, or export with times")
+                .say("the header states no time between two rows: the rows are counted by `index`, which is no time; export the file again with times")
                 .to_owned(),
             Self::OneClock => language
                 .say("the header states a different time step for some channels; the times in the file are certain only for the first channel")

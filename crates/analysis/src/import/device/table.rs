@@ -5,8 +5,8 @@ use super::remark::Remark;
 use super::section::{MadeColumn, Notes, Section};
 use crate::conversion::Conversion;
 use crate::finding::Finding;
-use crate::import::FINDINGS;
 use crate::import::cells::COLUMNS;
+use crate::import::notes::{FINDINGS, runs_finding};
 use crate::origin::Origin;
 use crate::roles;
 use crate::table::{Column, Table};
@@ -51,7 +51,7 @@ pub(super) fn of(description: &'static Description, sections: Vec<Section>) -> (
     findings.extend(notes.word_columns.into_iter().take(FINDINGS).map(Finding::WordColumn));
     let mut table = table(runs, &mut findings);
     let roles = roles::assign(&mut table);
-    findings.extend(crate::import::runs_finding(&table));
+    findings.extend(runs_finding(&table));
     findings.extend(roles.into_iter().map(Finding::Role));
     (table, findings)
 }

@@ -1,6 +1,5 @@
 //! Tables and columns in JSON, collected while it is read.
 
-use super::JsonTable;
 use super::scan::{DEEPEST, Scalar, Scanner};
 use crate::import::cells::COLUMNS;
 use std::collections::BTreeMap;
@@ -12,6 +11,15 @@ const MOST: usize = 1000;
 const LONGEST_INSIDE: usize = 16;
 /// Greatest number of cells of a table beyond those that JSON states.
 const SPARE: usize = 4_000_000;
+
+/// Table of a text of JSON.
+#[derive(Debug)]
+pub(in crate::import) struct JsonTable {
+    /// Names and rows, with tabs between the cells.
+    pub cells: String,
+    /// Names of arrays whose length differs from that of the table.
+    pub left_out: Vec<String>,
+}
 
 /// Column of a table.
 #[derive(Debug, Default)]

@@ -4,17 +4,8 @@
 mod collect;
 mod scan;
 
-use collect::Collector;
+use collect::{Collector, JsonTable};
 use scan::Scanner;
-
-/// Table of a text of JSON.
-#[derive(Debug)]
-pub(super) struct JsonTable {
-    /// Names and rows, with tabs between the cells.
-    pub cells: String,
-    /// Names of arrays whose length differs from that of the table.
-    pub left_out: Vec<String>,
-}
 
 /// Text of JSON.
 #[derive(Debug)]

@@ -1,5 +1,6 @@
 //! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; the films and
-//! projects of the tests; old workbooks; hand-ins; a sheet of answers; and what an archive of phyphox has in its files.
+//! projects of the tests; old workbooks; hand-ins; a sheet of answers; what an archive of phyphox has in its files;
+//! and files of measuring instruments.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
 #[path = "../crates/analysis/tests/all/support/old_workbook.rs"]
@@ -25,7 +26,7 @@ const SHEET: &str = r#"{"meniscus survey":1,"document":"U-tube","items":[
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
     for target in
-        ["bundle", "data_sets", "document", "film", "hand_in", "language", "old_workbook", "survey", "tracker"]
+        ["bundle", "data_sets", "document", "film", "hand_in", "import", "language", "old_workbook", "survey", "tracker"]
     {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
@@ -53,9 +54,11 @@ fn main() -> io::Result<()> {
         write("language", &name, text.as_bytes())?;
         write("document", &name, format!("```model\n{text}```\n").as_bytes())?;
     }
-    for path in files(&fuzz.join("seeds/data_sets"))? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        write("data_sets", &name, &fs::read(&path)?)?;
+    for target in ["data_sets", "import"] {
+        for path in files(&fuzz.join("seeds").join(target))? {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            write(target, &name, &fs::read(&path)?)?;
+        }
     }
     for (name, text) in hand_ins(fuzz)? {
         let page = "<html><body><h1>a</h1><footer></footer></body></html>";

@@ -6,11 +6,13 @@ mod words;
 use crate::sampling::Gap;
 use crate::stencil::Stencil;
 use crate::tracker::Remark;
-use crate::{data_sets, roles};
+use crate::{data_sets, import, roles};
 pub use heading::{Certainty, Heading};
 use units::{Language, say};
 pub(crate) use words::readings;
-use words::{backwards, called, clock, decimal, missing, reading, rounded_step, runs, separator, word};
+use words::{
+    backwards, called, clock, decimal, json, missing, nuls, overflow, reading, rounded_step, runs, separator, word,
+};
 
 /// Note for the user on their data. Lines and rows count from 1; times are in SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +23,21 @@ pub enum Finding {
     Project(Remark),
     /// Remark on data sets that were exported together.
     DataSets(data_sets::Remark),
+    /// The table was read from JSON; these lists of another length were left out.
+    Json(Vec<String>),
+    /// This number of NUL bytes was left out.
+    Nuls(usize),
+    /// Overflows of the counter of a clock were undone.
+    Overflow {
+        /// The column.
+        column: String,
+        /// Width of the counter in bits.
+        bits: i32,
+        /// Number of overflows.
+        count: usize,
+    },
+    /// Remark on the file of an instrument.
+    Device(import::DeviceRemark),
     /// A cell holds a word, or a number too large for a double, instead of a number; it became a gap.
     Word {
         /// The line of the file.
@@ -181,6 +198,10 @@ impl Finding {
             }
             Self::Project(remark) => remark.text(language),
             Self::DataSets(remark) => remark.text(language),
+            Self::Device(remark) => remark.text(language),
+            Self::Json(left_out) => json(left_out, language),
+            Self::Nuls(count) => nuls(*count, language),
+            Self::Overflow { column, bits, count } => overflow(column, *bits, *count, language),
             Self::Word { line, column, text } => word(*line, column, text, language),
             Self::MoreWords(count) => say!(language, "{count} more cells are not numbers and became gaps"),
             Self::WordLines { line, count: 1 } => say!(language, "line {line} has no number and was passed over"),

@@ -3,6 +3,7 @@
 use crate::error_name::{self, Belongs};
 use crate::origin::Origin;
 use crate::run_name;
+use std::collections::BTreeMap;
 use units::Unit;
 
 /// Measured data as columns of equal length.
@@ -146,6 +147,22 @@ impl Table {
     /// Number of a column, from 1: that in its file, which counts columns of words too.
     pub fn number(&self, index: usize) -> usize {
         self.columns.get(index).map(|column| column.origin.number).filter(|number| *number > 0).unwrap_or(index + 1)
+    }
+
+    /// Labels of all columns, as [`Table::label`] gives each.
+    pub fn labels(&self) -> Vec<String> {
+        let mut names: BTreeMap<&str, usize> = BTreeMap::new();
+        for column in &self.columns {
+            *names.entry(&column.name).or_default() += 1;
+        }
+        let label = |(index, column): (usize, &Column)| match (&column.body, names.get(column.name.as_str())) {
+            // Columns without a name are distinguished by their numbers.
+            (Some(_), _) if column.name.is_empty() => self.label(index),
+            (Some(body), Some(2..)) => format!("{body}.{}", column.name),
+            _ if column.name.is_empty() => self.number(index).to_string(),
+            _ => column.name.clone(),
+        };
+        self.columns.iter().enumerate().map(label).collect()
     }
 
     /// Name of a column for users: its name, or its number without one; with its body if that is ambiguous.

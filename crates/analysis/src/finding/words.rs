@@ -131,3 +131,40 @@ pub(super) fn reading(value: f64, unit: &str, language: Language) -> String {
 pub(super) fn decimal(value: f64, digits: usize, language: Language) -> String {
     number::plain(value, digits, language.style())
 }
+
+/// Note on a table from JSON.
+pub(super) fn json(left_out: &[String], language: Language) -> String {
+    if left_out.is_empty() {
+        return language.say("the table was read from JSON").to_owned();
+    }
+    let names = left_out.join(", ");
+    say!(language, "the table was read from JSON; these lists have another length and were left out: {names}")
+}
+
+/// Note on NUL bytes in a text.
+pub(super) fn nuls(count: usize, language: Language) -> String {
+    match count {
+        1 => language
+            .say("a NUL byte was left out; a logger writes them on a reset or a loss of power, so rows may be missing there")
+            .to_owned(),
+        _ => say!(
+            language,
+            "{count} NUL bytes were left out; a logger writes them on a reset or a loss of power, so rows may be missing there"
+        ),
+    }
+}
+
+/// Note on the overflows of a counter.
+pub(super) fn overflow(column: &str, bits: i32, count: usize, language: Language) -> String {
+    let column = called(column, language);
+    match count {
+        1 => say!(
+            language,
+            "the clock of {column} overflowed once: where it fell, 2^{bits} was added to all later times"
+        ),
+        _ => say!(
+            language,
+            "the clock of {column} overflowed {count} times: where it fell, 2^{bits} was added to all later times"
+        ),
+    }
+}

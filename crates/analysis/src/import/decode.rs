@@ -1,12 +1,16 @@
 //! Decoding of bytes to text, with an error for files that are not text.
 
 use super::lines;
+use super::program::Program;
 use super::refusal::{ImportError, Refusal};
 use std::borrow::Cow;
 use units::{Words, words};
 
 /// Number of bytes examined to decide if they are text.
 const LOOK: usize = 8192;
+
+/// Least ratio of the bytes of a text to its NUL bytes, which loggers write on a reset or a loss of power.
+const NUL_PART: usize = 4;
 
 /// Known file types, by their first bytes, with their names.
 const KINDS: [(&[u8], Words); 10] = [
@@ -33,13 +37,17 @@ pub fn look(start: &[u8]) -> Result<(), ImportError> {
         return refuse(Refusal::Kind { name: name.clone() });
     }
     let text = characters(start);
-    let no_text = |byte: u8| byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a);
-    if text.bytes().any(no_text) {
+    let no_text = |byte: u8| byte < 0x20 && !matches!(byte, 0 | b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a);
+    let nuls = text.bytes().filter(|byte| *byte == 0).count();
+    if text.bytes().any(no_text) || NUL_PART * nuls > text.len() {
         return refuse(Refusal::Binary);
     }
     let text = text.trim_start();
     let begins = |tag: &&str| text.get(..tag.len()).is_some_and(|first| first.eq_ignore_ascii_case(tag));
     if ["<?xml", "<!doctype", "<html"].iter().any(begins) {
+        if let Some(program) = Program::of_xml(text) {
+            return refuse(Refusal::Program(program));
+        }
         return refuse(Refusal::Markup);
     }
     Ok(())
@@ -70,8 +78,17 @@ pub(crate) fn characters(bytes: &[u8]) -> Cow<'_, str> {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
         [0xef, 0xbb, 0xbf, rest @ ..] => plain(rest),
+        _ if every_second_is_nul(bytes, 1) => utf16(bytes, u16::from_le_bytes),
+        _ if every_second_is_nul(bytes, 0) => utf16(bytes, u16::from_be_bytes),
         _ => plain(bytes),
     }
+}
+
+/// True if the bytes at even (`from` 0) or odd places (`from` 1) of the beginning are zero and no others: UTF-16 of Latin
+/// letters without a byte-order mark.
+fn every_second_is_nul(bytes: &[u8], from: usize) -> bool {
+    let start = bytes.get(..bytes.len().min(256)).unwrap_or_default();
+    start.len() >= 8 && start.iter().enumerate().all(|(place, byte)| (*byte == 0) == (place % 2 == from))
 }
 
 fn utf16(bytes: &[u8], word: fn([u8; 2]) -> u16) -> Cow<'_, str> {

@@ -2,15 +2,22 @@
 //! variables are recognised automatically.
 
 mod cells;
+mod checks;
 mod clock;
 mod decode;
+mod device;
 mod first;
 mod format;
 mod head;
+mod influx;
+mod json;
 mod lines;
 mod mixed;
+mod notes;
 mod number;
 mod others;
+mod overflow;
+mod program;
 mod refusal;
 mod rows;
 mod runs;
@@ -24,20 +31,23 @@ pub use cells::Delimiter;
 pub(crate) use cells::cells_of;
 pub(crate) use decode::characters;
 pub use decode::look;
+pub use device::Remark as DeviceRemark;
 pub use format::Format;
+pub use program::Program;
 pub use refusal::{ImportError, Refusal};
 
-use crate::error_name::{self, Belongs};
-use crate::finding::{Finding, Heading};
+use crate::finding::Finding;
 use crate::origin::Origin;
 use crate::table::{Column, Table};
 use crate::{roles, scale_line};
-use clock::Form;
+use checks::{refuse_double_commas, refuse_unread_times};
+use device::Device;
 use first::First;
 use head::Head;
+use json::Json;
+use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
 use rows::Rows;
-use settle::ClockColumn;
 use stamp::Stamped;
 use std::borrow::Cow;
 use units::Unit;
@@ -52,9 +62,6 @@ pub struct Import {
     /// Notation of the file.
     pub format: Format,
 }
-
-/// Upper bound of the reported findings about columns.
-const FINDINGS: usize = 20;
 
 /// Reads delimited text.
 ///
@@ -99,6 +106,8 @@ enum Pass {
     Separators(separators::Survey),
     Mixed(mixed::Survey),
     Rows(Rows),
+    /// The file of a known instrument.
+    Device(Box<Device>),
     Refused(ImportError),
 }
 
@@ -108,6 +117,24 @@ impl<'a> Importer<'a> {
     /// # Errors
     /// There are no rows of numbers.
     pub fn new(text: Cow<'a, str>) -> Result<Self, ImportError> {
+        let nuls = text.bytes().filter(|byte| *byte == 0).count();
+        if nuls > 0 {
+            let mut importer = Self::new(Cow::Owned(text.replace('\0', "")))?;
+            importer.findings.push(Finding::Nuls(nuls));
+            return Ok(importer);
+        }
+        if let Some(device) = device::recognise(&text) {
+            return Ok(Self::of_device(text, device));
+        }
+        match json::read(&text) {
+            Some(Json::Table(table)) => return Self::of_cells(text, table.cells, Finding::Json(table.left_out)),
+            Some(Json::NoTable) => return Err(ImportError::new(None, Refusal::Json)),
+            None => {}
+        }
+        if let Some(cells) = influx::read(&text) {
+            let remark = DeviceRemark::Recognised { name: "InfluxDB" };
+            return Self::of_cells(text, cells, Finding::Device(remark));
+        }
         if let Some(bare) = stamp::without(&text) {
             let stamped = Stamped::new(format::recognise(&bare).0);
             let format = Format { delimiter: stamped.delimiter, decimal: b'.', thousands: None, header_lines: 0 };
@@ -126,10 +153,29 @@ impl<'a> Importer<'a> {
         if cells.trim_start().is_empty() {
             return Err(ImportError::new(None, Refusal::Empty));
         }
+        if let Some(device) = device::recognise(&cells) {
+            return Ok(Self::of_device(cells, device));
+        }
         // If that fails: numbers stored as texts in a sheet can have any form.
         Self::begin(cells, Delimiter::Tab, Signs::plain(b'.'), None)
             .map(|importer| Self { sheet: true, ..importer })
             .or_else(|(_, cells)| Self::new(cells))
+    }
+
+    /// Begins to read the cells that were made from a text, with tabs between them.
+    fn of_cells(text: Cow<'a, str>, cells: String, finding: Finding) -> Result<Self, ImportError> {
+        let begun = Self::begin(Cow::Owned(cells), Delimiter::Tab, Signs::plain(b'.'), Some(text));
+        let mut importer = begun.map_err(|(error, _)| ImportError { line: None, ..error })?;
+        importer.sheet = true;
+        importer.findings.push(finding);
+        Ok(importer)
+    }
+
+    /// Begins to read the file of a known instrument.
+    fn of_device(text: Cow<'a, str>, device: Device) -> Self {
+        let format = Format { delimiter: Delimiter::Tab, decimal: b'.', thousands: None, header_lines: 0 };
+        let (first, pass) = (First { line: 0, offset: 0 }, Pass::Device(Box::new(device)));
+        Self { text, original: None, sheet: false, format, first, pass, findings: Vec::new(), read: 0 }
     }
 
     /// Begins to read a text with known delimiter and signs; returns the text with the error if there are no rows.
@@ -166,13 +212,14 @@ impl<'a> Importer<'a> {
                 let header: Vec<&str> = header.lines().collect();
                 table.read(rest, budget, &format, &header)
             }
+            Pass::Device(device) => device.read(rest, budget),
             Pass::Refused(_) => return true,
         };
         let settled = matches!(&self.pass, Pass::Separators(survey) if survey.is_settled());
         if self.read < rows.len() && !settled {
             return false;
         }
-        if matches!(self.pass, Pass::Rows(_)) {
+        if matches!(self.pass, Pass::Rows(_) | Pass::Device(_)) {
             return true;
         }
         self.next_pass();
@@ -221,6 +268,7 @@ impl<'a> Importer<'a> {
             Pass::Stamps(_) => (0.0, 0.1),
             Pass::Separators(_) => (0.1, 0.2),
             Pass::Mixed(_) => (0.2, 0.4),
+            Pass::Device(_) => (0.0, 1.0),
             Pass::Rows(_) | Pass::Refused(_) => (0.4, 1.0),
         };
         from + (to - from) * part.min(1.0)
@@ -233,9 +281,14 @@ impl<'a> Importer<'a> {
     /// its numbers is ambiguous.
     pub fn finish(mut self) -> Result<(Import, Cow<'a, str>), ImportError> {
         while !self.advance(usize::MAX) {}
-        let Self { text, original, format, first, pass, mut findings, .. } = self;
+        let Self { text, original, sheet, format, first, pass, mut findings, .. } = self;
         let mut rows = match pass {
             Pass::Rows(rows) => rows,
+            Pass::Device(device) => {
+                let (table, of_device, format) = device.finish()?;
+                findings.extend(of_device);
+                return Ok((Import { table, findings, format }, text));
+            }
             Pass::Refused(error) => return Err(error),
             _ => return Err(ImportError::new(None, Refusal::Empty)),
         };
@@ -258,21 +311,29 @@ impl<'a> Importer<'a> {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
         if original.is_some()
+            && !sheet
             && let Some(unit) = stamp::prefer_own_times(&mut columns)
         {
             kept.remove(0);
             columns.iter_mut().for_each(|column| column.origin.number = column.origin.number.saturating_sub(1));
             findings.push(Finding::Stamps { unit: unit.text });
         }
+        let overflows = overflow::undo(&mut columns);
         let scale_error = scale_line::read(head_lines.iter().copied());
         findings.extend(scale_error.map(Finding::Scale));
         let mut table = Table { columns, scale_error, sets: false, readings: Vec::new() };
+        findings.extend(overflows.iter().map(|overflow| Finding::Overflow {
+            column: table.label(overflow.column),
+            bits: overflow.bits,
+            count: overflow.count,
+        }));
         let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         if table.readings.is_empty() {
             runs::side_by_side(&mut table, &rows.repeats);
         }
-        let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
+        let labels = table.labels();
+        let label = |index| kept.binary_search(&index).ok().and_then(|place| labels.get(place).cloned());
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
         let other_sign =
             |column: &usize| Some(Finding::OtherSign { column: label(*column)?, point: format.decimal == b',' });
@@ -293,34 +354,6 @@ impl Pass {
             Self::Rows(Rows::of(rows, Vec::new()))
         }
     }
-}
-
-/// Notes on columns taken as the standard errors of others, and on columns that only have such a name. `sigma_y` beside `y`
-/// is not reported.
-fn errors(table: &Table) -> Vec<Heading> {
-    let mut said = Vec::new();
-    for (index, column) in table.columns.iter().enumerate() {
-        let Some(belongs) = error_name::of(&column.name) else { continue };
-        let owners = || (0..table.columns.len()).filter(|own| *own != index);
-        let owner = owners().find(|own| table.errors_of(*own) == Some(index));
-        let called = match belongs {
-            Belongs::To(name) | Belongs::Perhaps(name) => owners().find(|own| table.columns[*own].name == name),
-            Belongs::ToPrevious => index.checked_sub(1),
-        };
-        let label = table.label(index);
-        match (owner, called, belongs) {
-            (Some(own), _, _) => {
-                let unused = table.columns[own].independent == own;
-                if unused || column.name != format!("sigma_{}", table.columns[own].name) {
-                    said.push(Heading::Errors { column: label, of: table.label(own), unused });
-                }
-            }
-            (None, Some(own), _) => said.push(Heading::NotErrors { column: label, of: Some(table.label(own)) }),
-            (None, None, Belongs::To(_)) => said.push(Heading::NotErrors { column: label, of: None }),
-            (None, None, _) => {}
-        }
-    }
-    said
 }
 
 /// Reads the cells of a spreadsheet, by the same rules as a text.
@@ -372,6 +405,11 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
     (columns, kept)
 }
 
+/// True for a unit by its symbol or a word, or a scale of temperatures: `ms`, `Sekunden`, `°C`.
+pub(crate) fn is_unit(text: &str) -> bool {
+    head::is_unit(text)
+}
+
 /// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.
 pub fn unit(text: &str) -> Option<Unit> {
     head::unit_of(text)
@@ -379,53 +417,4 @@ pub fn unit(text: &str) -> Option<Unit> {
 
 fn called(name: &str, index: usize) -> String {
     if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
-}
-
-fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
-    Finding::Clock {
-        column,
-        days: clock.form == Form::Date,
-        wrapped: clock.times.wrapped,
-        minutes: clock.times.guessed,
-    }
-}
-
-/// Note on the runs of a logger, if there are several.
-fn runs_finding(table: &Table) -> Option<Finding> {
-    let runs: Vec<String> = table.runs().into_iter().map(|(name, _)| name).collect();
-    (runs.len() > 1).then_some(Finding::Runs(runs))
-}
-
-/// Refuses a column named as a time that holds only words: otherwise the next column would be taken for the time.
-fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
-    let mut unread = None;
-    let columns = heads.iter().zip(&rows.columns).enumerate();
-    for (index, (head, values)) in columns.filter(|(_, (head, _))| roles::is_time(&head.name)) {
-        if values.iter().any(|value| value.is_finite()) {
-            return Ok(());
-        }
-        unread = unread.or_else(|| rows.first_word(index).map(|(line, text)| (line, head.name.clone(), text)));
-    }
-    match unread {
-        Some((line, column, text)) => Err(ImportError::new(Some(line), Refusal::Times { column, text })),
-        None => Ok(()),
-    }
-}
-
-/// Refuses two names over four numbers with commas everywhere: some commas may be decimal signs.
-fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
-    let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
-    let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
-    if format.delimiter == Delimiter::Comma
-        && names >= 2
-        && rows.columns.len() == 2 * names
-        && heads.iter().skip(names).all(|head| head.name.is_empty())
-        && rows.columns.iter().all(whole)
-    {
-        return Err(ImportError::new(
-            Some(format.header_lines + 1),
-            Refusal::Commas { names, cells: rows.columns.len() },
-        ));
-    }
-    Ok(())
 }

@@ -1,5 +1,6 @@
 //! Errors of the import of a file as a table.
 
+use super::program::Program;
 use crate::finding::readings;
 use std::fmt;
 use units::{Language, Words, say};
@@ -27,6 +28,10 @@ pub enum Refusal {
     Binary,
     /// The file is XML or HTML, and not a Tracker project.
     Markup,
+    /// The file is one of a program that can export text.
+    Program(Program),
+    /// The file is JSON without a table.
+    Json,
     /// No line contains a number.
     NoNumbers {
         /// First line.
@@ -88,6 +93,12 @@ impl ImportError {
             Refusal::Kind { name } => return say!(language, "this is not text but {name}"),
             Refusal::Binary => language.say("this is not text: it has bytes that no text has").to_owned(),
             Refusal::Markup => language.say("this is XML or HTML, not a table").to_owned(),
+            Refusal::Program(program) => {
+                return say!(language, "this is a file of {}, which only that program reads", program.name());
+            }
+            Refusal::Json => language
+                .say("this is JSON without a table: neither a list of records nor lists of numbers of one length")
+                .to_owned(),
             Refusal::NoNumbers { text } => {
                 say!(language, "there is no table: no line has numbers; the first is `{text}`")
             }
@@ -125,6 +136,8 @@ impl ImportError {
     /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
         match &self.reason {
+            Refusal::Program(program) => program.export(language),
+            Refusal::Json => language.say("write a list of records, `[{\"t\": 0, \"x\": 1}, …]`, or lists by name, `{\"t\": […], \"x\": […]}`"),
             Refusal::Commas { .. } => language.say("export it again with tabs or semicolons between the columns"),
             Refusal::Separator { .. } => language.say("export it again without signs between the thousands"),
             Refusal::Times { .. } => language.say("write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"),

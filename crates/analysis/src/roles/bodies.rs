@@ -57,18 +57,18 @@ pub(super) fn preferred(columns: &[Column], times: &[usize]) -> Option<usize> {
     times.iter().find(is_number).or(times.first()).copied()
 }
 
-/// One per column: the clock of its body, else the nearest one before it.
+/// One per column: the clock of its body, else the nearest one before it. `clocks` ascend.
 pub(super) fn owners(columns: &[Column], clocks: &[usize]) -> Vec<usize> {
     let first = clocks.first().copied().unwrap_or(0);
     let owner = |(index, column): (usize, &Column)| {
-        if clocks.contains(&index) {
+        if clocks.binary_search(&index).is_ok() {
             return index;
         }
         // Runs may be in any order: each has its own clock.
         let same_body = |clock: &&usize| {
             column.body.is_some() && columns.get(**clock).is_some_and(|clock| clock.body == column.body)
         };
-        let before = || clocks.iter().rev().filter(|clock| **clock <= index);
+        let before = || clocks.iter().take(clocks.partition_point(|clock| *clock <= index)).rev();
         let own = before().find(same_body).or_else(|| clocks.iter().find(same_body));
         own.or_else(|| before().next()).copied().unwrap_or(first)
     };

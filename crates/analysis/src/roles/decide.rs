@@ -83,7 +83,9 @@ impl Table<'_> {
                 *index != primary && !self.is_error(*index) && self.is(*index, &|column| column.filled() > 1)
             })
             .filter(|index| {
-                times.contains(index) || self.is(*index, &is_in_time) || self.are_called_alike(primary, *index)
+                times.binary_search(index).is_ok()
+                    || self.is(*index, &is_in_time)
+                    || self.are_called_alike(primary, *index)
             })
             .collect();
         let same = |index: usize| self.are_called_alike(primary, index);
@@ -93,7 +95,7 @@ impl Table<'_> {
         let clocks: Vec<usize> = further
             .iter()
             .copied()
-            .filter(|index| same(*index) || self.increases(*index) || (inexact && times.contains(index)))
+            .filter(|index| same(*index) || self.increases(*index) || (inexact && times.binary_search(index).is_ok()))
             .filter(|index| same(*index) || !of_clock(index))
             .collect();
         let with = |others: &[usize]| {
@@ -113,7 +115,8 @@ impl Table<'_> {
         {
             return self.asked(vec![vec![first], vec![primary]], reason);
         }
-        let followed = |index: &usize| named.is_some() || values(&with(&clocks)).iter().any(|value| value > index);
+        let last = values(&with(&clocks)).last().copied();
+        let followed = |index: &usize| named.is_some() || last.is_some_and(|value| value > *index);
         let mut clocks: Vec<usize> = clocks.iter().copied().filter(followed).collect();
         let equal = |index: &usize| self.equals(primary, *index);
         let parallel = |index: &usize| {
@@ -211,12 +214,14 @@ impl Table<'_> {
         layout(self.columns, clocks, &self.values(clocks))
     }
 
-    /// Columns with measured values beside these clocks.
+    /// Columns with measured values beside these clocks, which ascend.
     fn values(&self, clocks: &[usize]) -> Vec<usize> {
         let first = clocks.first().copied().unwrap_or(0);
         (0..self.columns.len())
             .filter(|index| {
-                !(clocks.contains(index) || self.numbers_rows(*index) || self.counts_frames(*index) && *index < first)
+                !(clocks.binary_search(index).is_ok()
+                    || self.numbers_rows(*index)
+                    || self.counts_frames(*index) && *index < first)
             })
             .filter(|index| !self.is_error(*index) && self.is(*index, &|column| column.filled() > 0))
             .collect()

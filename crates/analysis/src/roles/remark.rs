@@ -105,7 +105,8 @@ pub(crate) fn reading(clocks: &[String], language: Language) -> String {
 
 /// Remarks on a decision. Call it after the roles are assigned.
 pub(super) fn remarks(table: &Table, decision: &Decision) -> Vec<Remark> {
-    let label = |index: usize| table.label(index);
+    let labels = table.labels();
+    let label = |index: usize| labels.get(index).cloned().unwrap_or_default();
     if !decision.readings.is_empty() {
         let named = |clocks: &Vec<usize>| clocks.iter().map(|clock| label(*clock)).collect();
         return vec![Remark::Readings(decision.readings.iter().map(named).collect())];
@@ -117,8 +118,17 @@ pub(super) fn remarks(table: &Table, decision: &Decision) -> Vec<Remark> {
     };
     let all = || 0..table.columns.len();
     if decision.clocks.len() > 1 && table.columns.iter().all(|column| column.body.as_deref().is_none_or(is_number)) {
-        let of = |clock: &usize| (label(*clock), all().filter(|index| is_of(*index, *clock)).map(label).collect());
-        remarks.push(Remark::Clocks(decision.clocks.iter().map(of).collect()));
+        let mut clocks: Vec<(String, Vec<String>)> =
+            decision.clocks.iter().map(|clock| (label(*clock), Vec::new())).collect();
+        for (index, column) in table.columns.iter().enumerate() {
+            let place = decision.clocks.binary_search(&column.independent).ok();
+            if let Some((_, columns)) = place.and_then(|place| clocks.get_mut(place))
+                && is_of(index, column.independent)
+            {
+                columns.push(label(index));
+            }
+        }
+        remarks.push(Remark::Clocks(clocks));
     }
     let [clock] = decision.clocks[..] else { return remarks };
     if decision.reason == Reason::Increases {

@@ -3,7 +3,7 @@
 use super::refusal::WorkbookError;
 use super::source::{Progress, SheetSource, SheetText};
 use crate::data_sets::{DEVICE, EVENTS};
-use crate::import;
+use crate::import::{self, Program};
 use crate::packed::{Archive, Part};
 
 /// Upper bound of the files that are read.
@@ -28,6 +28,9 @@ impl Files {
     pub fn open(archive: Archive, most: usize) -> Result<Self, WorkbookError> {
         let mut paths: Vec<String> =
             archive.names().filter(|path| is_table(path)).take(MOST_FILES).map(str::to_owned).collect();
+        if archive.has("main.xml") && paths.is_empty() {
+            return Err(WorkbookError::Program(Program::Capstone));
+        }
         if paths.is_empty() {
             return Err(WorkbookError::NoSheets { found: archive.first_names() });
         }

@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 const SECONDS_PER_DAY: f64 = 86_400.0;
 /// Latest date of a spreadsheet: the end of the year 9999, in days from the end of 1899.
 const LAST_DAY: f64 = 2_958_466.0;
+/// Number of days from which on a time is a moment with a date, in 1927 or later, and not a duration.
+const EARLIEST_MOMENT: f64 = 10_000.0;
 /// Parts of a second to which dates and times are rounded. A date is exact to fifteen digits: some microseconds.
 const PER_SECOND_OF_DATES: f64 = 1e5;
 const PER_SECOND: f64 = 1e6;
@@ -28,6 +30,8 @@ pub(super) struct Moment {
 impl Moment {
     /// Moment from a serial number: days from the end of 1899, or from the beginning of 1904.
     pub fn of_serial(serial: f64, meaning: Meaning, from_1904: bool) -> Option<Self> {
+        // A format of a time of day also shows that of a moment; no duration is that long.
+        let meaning = if serial >= EARLIEST_MOMENT { Meaning::Date } else { meaning };
         let shift = if from_1904 && meaning == Meaning::Date { 1462.0 } else { 0.0 };
         let days = serial + shift;
         // A number below 1 with the format of a date is a time: day numbers begin at 1.
@@ -173,6 +177,8 @@ mod tests {
             (0.25, Meaning::Date, false, "06:00:00"),
             (5.787037037037037e-7, Meaning::Time, false, "00:00:00.05"),
             (1.5, Meaning::Time, false, "36:00:00"),
+            (45413.5, Meaning::Time, false, "2024-05-01T12:00:00"),
+            (43951.5, Meaning::Time, true, "2024-05-01T12:00:00"),
             (-1e-5, Meaning::Time, false, "-00:00:00.864"),
             (1e300, Meaning::Date, false, "none"),
             (f64::NAN, Meaning::Date, false, "none"),

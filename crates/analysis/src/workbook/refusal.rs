@@ -1,5 +1,6 @@
 //! Errors of reading a workbook.
 
+use crate::import::Program;
 use crate::packed::Defect;
 use units::{Language, say};
 
@@ -15,6 +16,8 @@ pub enum WorkbookError {
         /// Names of its first few files.
         found: Vec<String>,
     },
+    /// The archive is a file of a program that can export text.
+    Program(Program),
     /// The workbook has no sheet with cells, or the file is a text document or a presentation.
     NoCells,
     /// The workbook was written by Excel 4 or older.
@@ -49,6 +52,9 @@ impl WorkbookError {
                 let names: Vec<String> = found.iter().map(|name| say!(language, "`{name}`")).collect();
                 say!(language, "this ZIP archive holds no spreadsheet and no table, but {}", names.join(", "))
             }
+            Self::Program(program) => {
+                say!(language, "this is a file of {}, which only that program reads", program.name())
+            }
             Self::NoCells => language.say("this is an Office file without a sheet of cells").to_owned(),
             Self::TooOld => {
                 language.say("the workbook is of a format before Excel 5 (1993), which is not read").to_owned()
@@ -71,6 +77,7 @@ impl WorkbookError {
             Self::Damaged | Self::Place { .. } | Self::TooOld => language.say("open it in the spreadsheet program and save it again, or save the sheet as CSV"),
             Self::Protected => language.say("save it without a password, or save the sheet as CSV"),
             Self::NoSheets { .. } | Self::NoCells => language.say("measured data can be text, XLSX, ODS, a ZIP archive of text files as phyphox writes it, or a project of Tracker (TRK, TRZ)"),
+            Self::Program(program) => program.export(language),
             Self::Expands { .. } | Self::TooLarge { .. } => language.say("save the sheet with the measurement alone, or save it as CSV"),
         }
     }

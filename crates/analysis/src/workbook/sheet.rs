@@ -62,6 +62,11 @@ impl Lines {
         let moment = match format {
             NumberFormat::Plain => None,
             NumberFormat::Percent => return self.percent(digits),
+            NumberFormat::Unit(unit) => {
+                self.number(digits);
+                self.text.push(' ');
+                return self.word(unit.text());
+            }
             NumberFormat::Moment(meaning) => {
                 digits.trim().parse().ok().and_then(|serial| Moment::of_serial(serial, meaning, from_1904))
             }

@@ -2,6 +2,7 @@
 
 use super::moment::Meaning;
 use super::refusal::WorkbookError;
+use crate::import;
 use crate::packed::{Token, Xml};
 use std::collections::BTreeMap;
 
@@ -18,6 +19,36 @@ pub(super) enum NumberFormat {
     Percent,
     /// Date or time.
     Moment(Meaning),
+    /// Number followed by a unit: `0.00" ms"`.
+    Unit(UnitText),
+}
+
+/// Text of a unit in a number format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct UnitText {
+    bytes: [u8; LONGEST_UNIT],
+    length: usize,
+}
+
+/// Greatest length of a unit in a number format, in bytes.
+const LONGEST_UNIT: usize = 12;
+
+impl UnitText {
+    /// Unit in the text behind the digits of a format; `None` if it is no known unit. A percent sign that multiplies nothing
+    /// is left to the header.
+    fn of(text: &str) -> Option<Self> {
+        let text = text.trim();
+        if text.is_empty() || text == "%" || text.len() > LONGEST_UNIT || !import::is_unit(text) {
+            return None;
+        }
+        let mut bytes = [0; LONGEST_UNIT];
+        bytes.get_mut(..text.len())?.copy_from_slice(text.as_bytes());
+        Some(Self { bytes, length: text.len() })
+    }
+
+    pub fn text(&self) -> &str {
+        self.bytes.get(..self.length).and_then(|bytes| core::str::from_utf8(bytes).ok()).unwrap_or_default()
+    }
 }
 
 /// Formats of the cells of the workbook (`cellXfs`), in their order.
@@ -59,12 +90,15 @@ pub(super) fn of_builtin(id: u32) -> NumberFormat {
 /// Format with a code such as `yyyy-mm-dd h:mm:ss` or `[h]:mm:ss;@`.
 pub(super) fn of_code(code: &str) -> NumberFormat {
     let mut letters = String::new();
+    // Literal text behind the digits.
+    let mut behind = String::new();
     let mut rest = code.chars();
     while let Some(character) = rest.next() {
         match character {
-            '"' => drop(rest.by_ref().find(|next| *next == '"')),
-            // The next character is literal, or gives a width or fills the cell.
-            '\\' | '_' | '*' => drop(rest.next()),
+            '"' => behind.extend(rest.by_ref().take_while(|next| *next != '"')),
+            '\\' => behind.extend(rest.next()),
+            // The next character gives a width or fills the cell.
+            '_' | '*' => drop(rest.next()),
             '[' => {
                 let inside: String = rest.by_ref().take_while(|next| *next != ']').collect();
                 let elapsed =
@@ -75,6 +109,10 @@ pub(super) fn of_code(code: &str) -> NumberFormat {
             }
             // The following sections are for other signs of the number.
             ';' => break,
+            '0' | '#' | '?' => {
+                letters.push(character);
+                behind.clear();
+            }
             _ => letters.extend(character.to_lowercase()),
         }
     }
@@ -88,7 +126,8 @@ pub(super) fn of_code(code: &str) -> NumberFormat {
     } else if letters.contains('m') {
         NumberFormat::Moment(Meaning::Date)
     } else {
-        NumberFormat::Plain
+        let digits = letters.contains(['0', '#', '?']);
+        UnitText::of(&behind).filter(|_| digits).map_or(NumberFormat::Plain, NumberFormat::Unit)
     }
 }
 
@@ -98,6 +137,7 @@ mod tests {
 
     #[test]
     fn formats_of_dates_times_and_percentages_are_told_from_those_of_numbers() {
+        let unit = |text: &str| UnitText::of(text).map_or(NumberFormat::Plain, NumberFormat::Unit);
         let cases = [
             ("yyyy-mm-dd h:mm:ss", NumberFormat::Moment(Meaning::Date)),
             ("[$-409]d/m/yy h:mm AM/PM;@", NumberFormat::Moment(Meaning::Date)),
@@ -113,8 +153,11 @@ mod tests {
             ("0\\%", NumberFormat::Plain),
             ("0\"%\"", NumberFormat::Plain),
             ("0.00E+00", NumberFormat::Plain),
-            ("#,##0.00 \"s\"", NumberFormat::Plain),
-            ("0.0\\ \\m\\s", NumberFormat::Plain),
+            ("#,##0.00 \"s\"", unit("s")),
+            ("0.0\\ \\m\\s", unit("ms")),
+            ("0.00\" °C\"", unit("°C")),
+            ("0.00\" apples\"", NumberFormat::Plain),
+            ("\"m\"0.00", NumberFormat::Plain),
             ("[Red]0.00;[Blue]-0.00", NumberFormat::Plain),
             ("_-* #,##0.00 [$€-407]_-;-* \"d\"", NumberFormat::Plain),
             ("@", NumberFormat::Plain),

@@ -8,6 +8,8 @@ mod cycle_errors;
 mod cycles;
 mod data_sets;
 mod derivatives;
+mod device_variants;
+mod devices;
 mod estimate;
 mod fits;
 mod headings;

@@ -121,7 +121,7 @@ const HEADERS: &[Case] = &[
         "Vernier Format 2\nfile.cmbl 1/2/2024\nRun 1\nTime\tPosition\nT\tX\ns\tm\n\n0\t1.5\n0.1\t2.5\n",
         "*Time [s] line of units: 0 0.1
 1:Position [m] line of units: 1.5 2.5
-! line 4 of the file has the names, line 6 the units; taken for a comment: line 5",
+! the file was read as a file of Vernier, with the settings of its header",
     ),
     (
         "a unit among the units that is not known",

@@ -26,6 +26,11 @@ pub(in crate::import) struct Head {
 }
 
 impl Head {
+    /// Head with a name alone.
+    pub fn named(name: &str) -> Self {
+        Self { name: name.trim().to_owned(), heading: name.to_owned(), ..Self::default() }
+    }
+
     /// True if its numbers are in this unit.
     pub fn is_in(&self, meant: &Meant) -> bool {
         let same = |unit: &Unit| unit.dimension == meant.unit.dimension && unit.factor == meant.unit.factor;

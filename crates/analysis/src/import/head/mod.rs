@@ -31,6 +31,21 @@ pub(super) fn is_unit(text: &str) -> bool {
     unit_of(text).is_some() || level(text).is_some()
 }
 
+/// Head from one cell with a name and perhaps a unit, `y [cm]`.
+pub(super) fn of_cell(cell: &str) -> Head {
+    head(label::read(cell), cell)
+}
+
+/// Head of a column whose name and unit are stated apart.
+pub(super) fn with_unit(name: &str, unit: &str) -> Head {
+    let (mut head, unit) = (Head::named(name), bare_unit(unit));
+    match meant_unit(unit, &head.name) {
+        Some(meant) => head.take(meant, unit.to_owned(), UnitOrigin::UnitLine),
+        None => head.origin = UnitOrigin::Unknown(unit.chars().take(40).collect()),
+    }
+    head
+}
+
 /// Heads of all columns; there are more if the header has more.
 pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings: &mut Vec<Finding>) -> Vec<Head> {
     let columns = below.wide();

@@ -1,6 +1,7 @@
 //! Seeded noise, and access to the measured records outside the project.
 
 pub mod fitting;
+pub mod instruments;
 pub mod old_workbook;
 pub mod packed;
 pub mod variants;

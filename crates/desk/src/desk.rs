@@ -255,9 +255,9 @@ impl Desk {
     /// drawn; `place`: index of the value, as in [`play::Points`].
     pub fn leave_out(&mut self, column: usize, place: usize) {
         let independent = &self.play.model().independent.name;
-        let Some((id, row)) = self.measured.row_of(&self.records, independent, column, place) else { return };
-        let counts = self.records.get(id).is_some_and(|record| !record.excluded().contains(&row));
-        self.change_records(|records, _| records.exclude(id, row, counts));
+        if let Some((id, row)) = self.measured.row_of(&self.records, independent, column, place) {
+            self.change_records(|records, _| records.exclude_or_include(id, row));
+        }
     }
 
     /// Reads a file, text or workbook, as a record in one call. Each run of a logger and each data set becomes a record

@@ -79,6 +79,12 @@ impl Records {
         Changes::RECORDS.announcing(Announcement::RowLeftOut { record, row, counts: !excluded })
     }
 
+    /// Leaves a row of a record out of fits if it counts, and takes it back if it does not.
+    pub fn exclude_or_include(&mut self, id: u32, row: usize) -> Changes {
+        let counts = self.get(id).is_some_and(|record| !record.excluded.contains(&row));
+        self.exclude(id, row, counts)
+    }
+
     /// Takes back all rows of a record that are left out of fits.
     pub fn include_all(&mut self, id: u32) -> Changes {
         let Some(record) = self.get_mut(id) else { return Changes::NONE };

@@ -92,7 +92,7 @@ impl Problem {
             return Err(FitError::TooLarge);
         }
         let targets: Vec<Target> = task.varied.iter().map(|varied| varied.target).collect();
-        let duration = task.records.iter().map(duration).fold(0.0, f64::max);
+        let duration = task.records.iter().map(Record::duration).fold(0.0, f64::max);
         let curve = Curve::new(model, &expressions, &targets, &task.parameters, (task.method, duration))
             .map_err(FitError::Model)?;
         let varies_origin = targets.contains(&Target::Origin);
@@ -441,11 +441,4 @@ impl Problem {
             .find(|(column, _)| column.target() == Some(Target::Origin) && column.belongs_to(record));
         varied.map_or(plan.origin, |(_, value)| *value)
     }
-}
-
-fn duration(record: &Record) -> f64 {
-    let times = record.observations.iter().flat_map(|observation| &observation.times).filter(|time| time.is_finite());
-    let (low, high) =
-        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &time| (low.min(time), high.max(time)));
-    if low < high { high - low } else { 0.0 }
 }

@@ -14,7 +14,6 @@ use super::search::loss::Loss;
 use engine::Method;
 use program::Compiled;
 use serde::{Deserialize, Serialize};
-use tied::TiedParameter;
 use units::Unit;
 
 /// One measured column, bound to an expression of the model.
@@ -101,6 +100,15 @@ impl Varied {
     pub fn parameter(index: usize) -> Self {
         Self { target: Target::Parameter(index), shared: false, start: None, bounds: None }
     }
+}
+
+/// Parameter whose value is an expression of other parameters, such as `L2 = 2*L1`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TiedParameter {
+    /// Index of the parameter in the model.
+    pub parameter: usize,
+    /// Its value: one expression for all records, or one for each. A number, SI, that depends on parameters alone.
+    pub values: Vec<Compiled>,
 }
 
 /// Task of a fit.

@@ -60,6 +60,14 @@ impl Observation {
 }
 
 impl Record {
+    /// Time between the first and the last reading of the clock, SI; 0 without one.
+    pub(in crate::fit) fn duration(&self) -> f64 {
+        let times = self.observations.iter().flat_map(|observation| &observation.times).filter(|time| time.is_finite());
+        let (low, high) =
+            times.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &time| (low.min(time), high.max(time)));
+        if low < high { high - low } else { 0.0 }
+    }
+
     /// All values without gaps: true if the value is excluded, and its time.
     fn rows(&self) -> impl Iterator<Item = (bool, f64)> {
         self.observations.iter().enumerate().flat_map(move |(observation, one)| {

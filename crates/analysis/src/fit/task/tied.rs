@@ -1,19 +1,9 @@
 //! Parameters whose values are expressions of others: the model and the task in which they are replaced.
 
-use super::{FitError, Record, Target, Task};
+use super::{FitError, Record, Target, Task, TiedParameter};
 use engine::Readings;
 use program::{Binary, Choices, Compiled, Kind, Model, Node, NodeId, Parameter, Quantity};
-use serde::{Deserialize, Serialize};
 use units::Unit;
-
-/// Parameter whose value is an expression of other parameters, such as `L2 = 2*L1`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TiedParameter {
-    /// Index of the parameter in the model.
-    pub parameter: usize,
-    /// Its value: one expression for all records, or one for each. A number, SI, that depends on parameters alone.
-    pub values: Vec<Compiled>,
-}
 
 /// Values of the tied parameters in terms of the free ones.
 #[derive(Clone, Debug, Default)]

@@ -79,12 +79,11 @@ fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Result<Pro
     project_of_files(documents, state, files, Vec::new(), fits)
 }
 
-/// Documents, state of the run, files and fits; `None` if something of them cannot be stated.
-fn stated(
-    fitted: &[&Fitted],
-    data: &[Measured],
-    arguments: &Common,
-) -> Option<(Vec<Source>, String, Vec<DataFile>, Vec<format::Fit>)> {
+/// Documents, state of the run, files and fits.
+type Statement = (Vec<Source>, String, Vec<DataFile>, Vec<format::Fit>);
+
+/// What a hand-in states of the fits; `None` if something of them cannot be stated.
+fn stated(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Statement> {
     let documents = fitted.first()?.theory.sources.embedded();
     let state = arguments.seat.map_or_else(String::new, |seat| format!("1&seat={}", seat.number()));
     let observed = |one: &Measured| -> Option<Vec<usize>> {

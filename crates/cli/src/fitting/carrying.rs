@@ -124,6 +124,10 @@ fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &C
             (0..measured.table.columns.len()).map(|column| Column { column, ..Column::default() }).collect();
         let mut errors = Vec::new();
         for (observation, &column) in record.observations.iter().zip(columns) {
+            // A hand-in names the quantity of a column.
+            if observation.name.contains(['+', '-', '*', '/', '^', '(', ' ']) {
+                return None;
+            }
             let clock = measured.table.columns.get(column)?.independent;
             let (quantity, unit) = (independent.name.clone(), unit_of(clock, &independent.unit));
             *uses.get_mut(clock)? = Column { column: clock, quantity, unit, stated: stated(clock), fitted: false };

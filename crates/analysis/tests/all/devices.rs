@@ -1,6 +1,7 @@
 //! Files of instruments and programs that differ from plain tables: sections, settings, JSON, counters, NUL bytes.
 
 use crate::import::{read, shown};
+use crate::support::packed::{self, Pack};
 use analysis::import;
 use analysis::reading;
 use units::Language;
@@ -208,6 +209,41 @@ fn utf_16_without_a_mark_is_text() {
         assert_eq!(read(&bytes).table.columns[1].values, [1.5, 2.5]);
     }
     assert!(import::text(&[b'a', 0, 0, 0, 0, 0, b'b']).is_err(), "mostly NUL bytes");
+}
+
+#[test]
+fn number_formats_state_units_and_moments() {
+    let row = |row: u32, first: &str, second: &str| {
+        format!("<row r=\"{row}\"><c r=\"A{row}\" {first}</c><c r=\"B{row}\" {second}</c></row>")
+    };
+    let text = |text: &str| format!("t=\"inlineStr\"><is><t>{text}</t></is>");
+    let of = |style: u32, value: &str| format!("s=\"{style}\"><v>{value}</v>");
+    let sheet = |first: [String; 2], second: [String; 2]| {
+        let [a, b] = first;
+        let [c, d] = second;
+        packed::xlsx(&[("S", &(row(1, &text("t"), &text("y [cm]")) + &row(2, &a, &b) + &row(3, &c, &d)))])
+    };
+    // A unit in the format, and a time of day that holds a date: 45413.5 is noon on 1 May 2024.
+    for (values, unit, times) in [
+        ([of(5, "40"), of(5, "80")], "ms", [40.0, 80.0]),
+        ([of(4, "45413.5"), of(4, "45413.500011574076")], "s", [0.0, 1.0]),
+    ] {
+        let [first, second] = values;
+        let bytes = sheet([first, of(0, "1.5")], [second, of(0, "2.5")]);
+        let table = reading::read(bytes, 1 << 20).expect("a table").import.table;
+        assert_eq!(table.columns[0].unit.as_ref().map(|unit| unit.text.as_str()), Some(unit));
+        let close = table.columns[0].values.iter().zip(times).all(|(own, time)| (own - time).abs() < 1e-4);
+        assert!(close, "{:?}", table.columns[0].values);
+        assert_eq!(table.columns[1].values, [1.5, 2.5]);
+    }
+}
+
+#[test]
+fn an_archive_of_capstone_is_refused_with_its_export() {
+    let files = [("main.xml".to_owned(), "<x/>".to_owned()), ("data/1.tmp".to_owned(), "abc".to_owned())];
+    let error = reading::read(packed::archive(&files, Pack::Deflated), 1 << 20).expect_err("no table");
+    assert!(error.message(Language::English).contains("Capstone"), "{}", error.message(Language::English));
+    assert!(error.hint(Language::English).contains("Export Data"), "{}", error.hint(Language::English));
 }
 
 /// Checks what holds for every table, and that every refusal has a message and a hint.

@@ -38,9 +38,10 @@ pub fn xlsx_with(settings: &str, sheets: &[(&str, &str)], pack: Pack) -> Vec<u8>
         "<Relationships><Relationship Id=\"1\" Type=\"{RELATIONS}/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"
     );
     let texts = "<sst><si><t>t [s]</t></si><si><r><t>y &amp; &lt;z&gt;</t></r><rPh><t>no</t></rPh><r><t> [cm]</t></r></si></sst>";
-    let styles = "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"yyyy\\-mm\\-dd h:mm:ss.000\"/></numFmts>\
+    let styles = "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"yyyy\\-mm\\-dd h:mm:ss.000\"/>\
+                  <numFmt numFmtId=\"165\" formatCode=\"0.00&quot; ms&quot;\"/></numFmts>\
                   <cellStyleXfs><xf numFmtId=\"14\"/></cellStyleXfs><cellXfs><xf numFmtId=\"0\"/><xf numFmtId=\"164\"/>\
-                  <xf numFmtId=\"46\"/><xf numFmtId=\"10\"/><xf numFmtId=\"21\"/></cellXfs></styleSheet>";
+                  <xf numFmtId=\"46\"/><xf numFmtId=\"10\"/><xf numFmtId=\"21\"/><xf numFmtId=\"165\"/></cellXfs></styleSheet>";
     let mut files = vec![
         ("[Content_Types].xml".to_owned(), "<Types/>".to_owned()),
         ("_rels/.rels".to_owned(), office),

@@ -39,6 +39,13 @@ pub enum Finding {
         /// Number of lines.
         count: usize,
     },
+    /// Headers between the rows have other names or units than the first one; the rows below are read with them.
+    OtherHeader {
+        /// Line of the first.
+        line: usize,
+        /// Number of such headers.
+        count: usize,
+    },
     /// A column of words was left out.
     WordColumn(String),
     /// A column has a name but no number.
@@ -102,6 +109,28 @@ pub enum Finding {
         wrapped: usize,
         /// True if `12:30` was read as minutes and seconds without an indication in the file.
         minutes: bool,
+        /// True if the month is the first number of its dates, `None` if their notation states the order.
+        month_first: Option<bool>,
+    },
+    /// Serial days of a spreadsheet were read as seconds from the first row.
+    SerialDays(String),
+    /// A clock that began again at a power of two was continued.
+    Overflow {
+        /// The column.
+        column: String,
+        /// Exponent of the power of two.
+        bits: u32,
+    },
+    /// A number has an unusual notation, such as `(0.15)` for -0.15.
+    Notation {
+        /// The line of the file.
+        line: usize,
+        /// Label of the column.
+        column: String,
+        /// Text of the cell.
+        text: String,
+        /// Number that was read.
+        value: String,
     },
     /// The time stamps of a serial monitor were replaced by the times of the device itself.
     Stamps {
@@ -187,6 +216,14 @@ impl Finding {
             Self::WordLines { line, count } => {
                 say!(language, "{count} lines have no number and were passed over; the first is line {line}")
             }
+            Self::OtherHeader { line, count: 1 } => say!(
+                language,
+                "a second header stands in line {line}: the rows below it are read with its names and units"
+            ),
+            Self::OtherHeader { line, count } => say!(
+                language,
+                "{count} further headers stand between the rows, the first in line {line}: the rows below each are read with its names and units"
+            ),
             Self::WordColumn(column) => say!(language, "column {column} holds words and was left out"),
             Self::EmptyColumn(column) => {
                 say!(language, "column {column} is empty")
@@ -229,7 +266,24 @@ impl Finding {
                     )
                 }
             }
-            Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, language),
+            Self::Clock { column, days, wrapped, minutes, month_first } => {
+                clock(column, (*days, *wrapped, *minutes, *month_first), language)
+            }
+            Self::SerialDays(column) => {
+                let column = called(column, language);
+                say!(
+                    language,
+                    "{column} holds the serial days of a spreadsheet; they are read as seconds from the first row"
+                )
+            }
+            Self::Overflow { column, bits } => {
+                let column = called(column, language);
+                say!(language, "{column} began again at zero after 2^{bits}: it is continued across the overflow")
+            }
+            Self::Notation { line, column, text, value } => {
+                let column = called(column, language);
+                say!(language, "line {line}, {column}: `{text}` is read as {value}, and other cells like it likewise")
+            }
             Self::Stamps { unit } => say!(
                 language,
                 "each line has a time stamp; the column behind it shows the same times in {unit} and is used instead, as \

@@ -3,17 +3,21 @@
 
 mod cells;
 mod clock;
+mod counters;
+mod date;
 mod decode;
 mod first;
 mod format;
 mod head;
 mod lines;
 mod mixed;
+mod notation;
 mod number;
 mod others;
 mod refusal;
 mod rows;
 mod runs;
+mod sections;
 mod separators;
 mod settle;
 #[cfg(test)]
@@ -27,6 +31,7 @@ pub use decode::look;
 pub use format::Format;
 pub use refusal::{ImportError, Refusal};
 
+use crate::conversion::Conversion;
 use crate::error_name::{self, Belongs};
 use crate::finding::{Finding, Heading};
 use crate::origin::Origin;
@@ -34,7 +39,7 @@ use crate::table::{Column, Table};
 use crate::{roles, scale_line};
 use clock::Form;
 use first::First;
-use head::Head;
+use head::{Head, Meant};
 use number::Signs;
 use rows::Rows;
 use settle::ClockColumn;
@@ -241,19 +246,25 @@ impl<'a> Importer<'a> {
         };
         let head_lines: Vec<&str> = text[..first.offset].lines().collect();
         let mut heads = head::read(&head_lines, format.delimiter, &rows.below(), &mut findings);
-        refuse_double_commas(&heads, &rows, &format)?;
         rows.widen(heads.len(), &text);
         heads.resize(rows.columns.len(), Head::default());
         let clocks = settle::columns(&mut rows, &mut heads, &mut findings);
         findings.truncate(FINDINGS);
-        for (head, values) in heads.iter().zip(&mut rows.columns) {
-            if let Some(conversion) = head.conversion() {
-                values.iter_mut().for_each(|number| *number = conversion.value(*number));
-            }
+        let serial = counters::serial_days(&mut rows, &mut heads);
+        let counters = counters::unwrap(&mut rows, &heads);
+        let sections = sections::read(&mut rows, &heads, format.delimiter);
+        if sections.len() == 1 {
+            refuse_double_commas(&heads, &rows, &format, clocks.len())?;
         }
+        sections::convert(&sections, &mut rows);
+        findings.extend(sections::finding(&sections, &heads));
+        let sections = sections::join(sections, &mut rows, &mut heads);
         rows.refuse_words(first.line)?;
         refuse_unread_times(&heads, &rows)?;
-        let (mut columns, mut kept) = columns(heads, &mut rows, &mut findings);
+        refuse_dates(&clocks, &heads, first.line + 1)?;
+        rows.refuse_unread(&heads)?;
+        let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
+        let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
@@ -270,9 +281,13 @@ impl<'a> Importer<'a> {
         let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         if table.readings.is_empty() {
-            runs::side_by_side(&mut table, &rows.repeats);
+            runs::side_by_side(&mut table, &rows.repeats, &rows.titles);
         }
         let label = |index| kept.iter().position(|kept| *kept == index).map(|place| table.label(place));
+        findings.extend(
+            counters.into_iter().filter_map(|(column, bits)| Some(Finding::Overflow { column: label(column)?, bits })),
+        );
+        findings.extend(serial.into_iter().filter_map(|column| Some(Finding::SerialDays(label(column)?))));
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
         let other_sign =
             |column: &usize| Some(Finding::OtherSign { column: label(*column)?, point: format.decimal == b',' });
@@ -377,6 +392,13 @@ pub fn unit(text: &str) -> Option<Unit> {
     head::unit_of(text)
 }
 
+/// Unit that a person states for a column of this name, with the conversion of its numbers to values in the unit: all that
+/// headings state, such as `°C`.
+pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
+    let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
+    Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
+}
+
 fn called(name: &str, index: usize) -> String {
     if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }
@@ -387,6 +409,7 @@ fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
         days: clock.form == Form::Date,
         wrapped: clock.times.wrapped,
         minutes: clock.times.guessed,
+        month_first: clock.times.month_first,
     }
 }
 
@@ -412,16 +435,33 @@ fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
     }
 }
 
-/// Refuses two names over four numbers with commas everywhere: some commas may be decimal signs.
-fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
+/// Refuses dates in which day and month cannot be told apart.
+fn refuse_dates(clocks: &[ClockColumn], heads: &[Head], line: usize) -> Result<(), ImportError> {
+    let Some(clock) = clocks.iter().find(|clock| clock.times.open) else { return Ok(()) };
+    let name = heads.get(clock.column).map_or("", |head| head.name.as_str());
+    Err(ImportError::new(Some(line), Refusal::Dates { column: called(name, clock.column) }))
+}
+
+/// Refuses more numbers than names between commas, if some commas may be decimal signs or separators of thousands.
+fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format, clocks: usize) -> Result<(), ImportError> {
     let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
     let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
-    if format.delimiter == Delimiter::Comma
-        && names >= 2
-        && rows.columns.len() == 2 * names
-        && heads.iter().skip(names).all(|head| head.name.is_empty())
-        && rows.columns.iter().all(whole)
-    {
+    let unnamed = heads.iter().skip(names).all(|head| head.name.is_empty());
+    if format.delimiter != Delimiter::Comma || names < 2 || rows.columns.len() <= names || !unnamed {
+        return Ok(());
+    }
+    let columns = rows.columns.len();
+    // Decimal commas split at least one column, and each column at most once.
+    let split = columns - clocks <= 2 * (names - clocks.min(names)) && rows.columns.iter().all(whole);
+    let doubled = columns == 2 * names && split;
+    let beside_clock = clocks > 0 && split;
+    // Commas between thousands make some rows longer than the names: `1,600.00` beside `808.83`.
+    let last = rows.columns.last().map_or(0, |values| values.iter().filter(|value| value.is_finite()).count());
+    let ragged = last < rows.length && 10 * last > rows.length && rows.columns.iter().any(|values| !whole(values));
+    // Times with a decimal point beside decimal commas: `0.5,1,250`.
+    let [time, others @ ..] = rows.columns.as_slice() else { return Ok(()) };
+    let beside_time = !whole(time) && others.iter().all(whole) && others.len() <= 2 * (names - 1);
+    if doubled || beside_clock || beside_time || ragged {
         return Err(ImportError::new(
             Some(format.header_lines + 1),
             Refusal::Commas { names, cells: rows.columns.len() },

@@ -56,6 +56,13 @@ pub enum Finding {
         /// Number of lines.
         count: usize,
     },
+    /// Headers between the rows have other names or units than the first one; the rows below are read with them.
+    OtherHeader {
+        /// Line of the first.
+        line: usize,
+        /// Number of such headers.
+        count: usize,
+    },
     /// A column of words was left out.
     WordColumn(String),
     /// A column has a name but no number.
@@ -119,6 +126,21 @@ pub enum Finding {
         wrapped: usize,
         /// True if `12:30` was read as minutes and seconds without an indication in the file.
         minutes: bool,
+        /// True if the month is the first number of its dates, `None` if their notation states the order.
+        month_first: Option<bool>,
+    },
+    /// Serial days of a spreadsheet were read as seconds from the first row.
+    SerialDays(String),
+    /// A number has an unusual notation, such as `(0.15)` for -0.15.
+    Notation {
+        /// The line of the file.
+        line: usize,
+        /// Label of the column.
+        column: String,
+        /// Text of the cell.
+        text: String,
+        /// Number that was read.
+        value: String,
     },
     /// The time stamps of a serial monitor were replaced by the times of the device itself.
     Stamps {
@@ -208,6 +230,14 @@ impl Finding {
             Self::WordLines { line, count } => {
                 say!(language, "{count} lines have no number and were passed over; the first is line {line}")
             }
+            Self::OtherHeader { line, count: 1 } => say!(
+                language,
+                "a second header stands in line {line}: the rows below it are read with its names and units"
+            ),
+            Self::OtherHeader { line, count } => say!(
+                language,
+                "{count} further headers stand between the rows, the first in line {line}: the rows below each are read with its names and units"
+            ),
             Self::WordColumn(column) => say!(language, "column {column} holds words and was left out"),
             Self::EmptyColumn(column) => {
                 say!(language, "column {column} is empty")
@@ -250,7 +280,20 @@ impl Finding {
                     )
                 }
             }
-            Self::Clock { column, days, wrapped, minutes } => clock(column, *days, *wrapped, *minutes, language),
+            Self::Clock { column, days, wrapped, minutes, month_first } => {
+                clock(column, (*days, *wrapped, *minutes, *month_first), language)
+            }
+            Self::SerialDays(column) => {
+                let column = called(column, language);
+                say!(
+                    language,
+                    "{column} holds the serial days of a spreadsheet; they are read as seconds from the first row"
+                )
+            }
+            Self::Notation { line, column, text, value } => {
+                let column = called(column, language);
+                say!(language, "line {line}, {column}: `{text}` is read as {value}, and other cells like it likewise")
+            }
             Self::Stamps { unit } => say!(
                 language,
                 "each line has a time stamp; the column behind it shows the same times in {unit} and is used instead, as \

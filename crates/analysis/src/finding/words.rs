@@ -19,12 +19,21 @@ pub(super) fn separator(line: usize, text: &str, beside: &str, thousands: bool, 
     )
 }
 
-pub(super) fn clock(column: &str, days: bool, wrapped: usize, minutes: bool, language: Language) -> String {
+pub(super) fn clock(
+    column: &str,
+    (days, wrapped, minutes, month_first): (bool, usize, bool, Option<bool>),
+    language: Language,
+) -> String {
     let column = called(column, language);
     let mut text = match days {
         false => say!(language, "{column} holds clock times; they are read as seconds from the first row"),
         true => say!(language, "{column} holds dates; they are read as seconds from the first row"),
     };
+    text.push_str(match month_first {
+        Some(true) => language.say(", with the month first in each date"),
+        Some(false) => language.say(", with the day first in each date"),
+        None => "",
+    });
     if wrapped > 0 {
         text.push_str(&say!(language, ", and the clock began again at zero {wrapped}×"));
     }

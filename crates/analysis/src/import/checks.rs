@@ -1,10 +1,12 @@
 //! Refusals of a table whose reading would be wrong.
 
+use super::called;
 use super::cells::Delimiter;
 use super::format::Format;
 use super::head::Head;
 use super::refusal::{ImportError, Refusal};
 use super::rows::Rows;
+use super::settle::ClockColumn;
 use crate::roles;
 
 /// Refuses a column named as a time that holds only words: otherwise the next column would be taken for the time.
@@ -23,16 +25,38 @@ pub(super) fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), Imp
     }
 }
 
-/// Refuses two names over four numbers with commas everywhere: some commas may be decimal signs.
-pub(super) fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format) -> Result<(), ImportError> {
+/// Refuses dates in which day and month cannot be told apart.
+pub(super) fn refuse_dates(clocks: &[ClockColumn], heads: &[Head], line: usize) -> Result<(), ImportError> {
+    let Some(clock) = clocks.iter().find(|clock| clock.times.open) else { return Ok(()) };
+    let name = heads.get(clock.column).map_or("", |head| head.name.as_str());
+    Err(ImportError::new(Some(line), Refusal::Dates { column: called(name, clock.column) }))
+}
+
+/// Refuses more numbers than names between commas, if some commas may be decimal signs or separators of thousands.
+pub(super) fn refuse_double_commas(
+    heads: &[Head],
+    rows: &Rows,
+    format: &Format,
+    clocks: usize,
+) -> Result<(), ImportError> {
     let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
     let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
-    if format.delimiter == Delimiter::Comma
-        && names >= 2
-        && rows.columns.len() == 2 * names
-        && heads.iter().skip(names).all(|head| head.name.is_empty())
-        && rows.columns.iter().all(whole)
-    {
+    let unnamed = heads.iter().skip(names).all(|head| head.name.is_empty());
+    if format.delimiter != Delimiter::Comma || names < 2 || rows.columns.len() <= names || !unnamed {
+        return Ok(());
+    }
+    let columns = rows.columns.len();
+    // Decimal commas split at least one column, and each column at most once.
+    let split = columns - clocks <= 2 * (names - clocks.min(names)) && rows.columns.iter().all(whole);
+    let doubled = columns == 2 * names && split;
+    let beside_clock = clocks > 0 && split;
+    // Commas between thousands make some rows longer than the names: `1,600.00` beside `808.83`.
+    let last = rows.columns.last().map_or(0, |values| values.iter().filter(|value| value.is_finite()).count());
+    let ragged = last < rows.length && 10 * last > rows.length && rows.columns.iter().any(|values| !whole(values));
+    // Times with a decimal point beside decimal commas: `0.5,1,250`.
+    let [time, others @ ..] = rows.columns.as_slice() else { return Ok(()) };
+    let beside_time = !whole(time) && others.iter().all(whole) && others.len() <= 2 * (names - 1);
+    if doubled || beside_clock || beside_time || ragged {
         return Err(ImportError::new(
             Some(format.header_lines + 1),
             Refusal::Commas { names, cells: rows.columns.len() },

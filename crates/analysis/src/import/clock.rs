@@ -1,14 +1,17 @@
 //! Times of day, durations and dates in cells, `12:00:00.050`, `01:23.4`, `2026-01-02T10:00:00`, as seconds.
 
-/// Seconds in a day.
-const DAY: f64 = 86_400.0;
+use super::date::{self, DAY, Order};
 
 /// Time or date in a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Reading {
-    /// Seconds since midnight, since the full hour, or since 1 January 1970.
+    /// Days since 1 January 1970, 0 without a date. Apart from the seconds, so that microseconds are not lost.
+    pub days: f64,
+    /// Seconds since midnight or since the full hour.
     pub seconds: f64,
     pub form: Form,
+    /// Order of day and month in its date.
+    pub order: Order,
 }
 
 /// Notation of a time.
@@ -34,22 +37,27 @@ pub(super) struct Times {
     pub wrapped: usize,
     /// True if `12:30` was read as minutes and seconds without an indication in the file.
     pub guessed: bool,
+    /// True if the dates have the month first, as their numbers show; `None` if their notation states the order.
+    pub month_first: Option<bool>,
+    /// True if day and month cannot be told apart.
+    pub open: bool,
 }
 
 /// Reads a cell without surrounding blanks.
 pub(super) fn read(text: &str) -> Option<Reading> {
     // Quick exit: nearly all cells are numbers.
-    if text.len() < 3 || text.len() > 40 || !text.starts_with(|first: char| first.is_ascii_digit()) {
+    let named = || text.len() > 8 && text.starts_with(char::is_alphabetic) && text.contains(' ');
+    if text.len() < 3 || text.len() > 40 || !(text.starts_with(|first: char| first.is_ascii_digit()) || named()) {
         return None;
     }
-    let (day, rest) = match date(text) {
-        Some((day, rest)) => (day, rest),
+    let (day, rest) = match date::read(text) {
+        Some((day, rest)) => (Some(day), rest),
         None => (None, text),
     };
     let dated = rest.len() < text.len();
     let rest = rest.trim_start_matches(['T', ' ', ',']);
     if rest.is_empty() {
-        return day.map(|day| Reading { seconds: day * DAY, form: Form::Date });
+        return day.map(|day| Reading { days: day.days, seconds: 0.0, form: Form::Date, order: day.order });
     }
     let (rest, zone) = zone(rest, dated);
     let (rest, half) = half_day(rest);
@@ -76,17 +84,25 @@ pub(super) fn read(text: &str) -> Option<Reading> {
             let form = if seconds.contains(['.', ',']) { Form::Minutes } else { Form::Two };
             (60.0 * whole(minutes)? + last(seconds)?, form)
         }
+        // Milliseconds after a fourth colon: `10:00:00:040`.
+        [hours, minutes, seconds, fraction] if fraction.len() == 3 && seconds.len() == 2 => {
+            let minutes = whole(minutes).filter(|minutes| *minutes < 60.0)?;
+            let seconds = last(seconds).filter(|_| seconds.len() == 2)? + whole(fraction)? / 1000.0;
+            (3600.0 * half.hour(whole(hours)?)? + 60.0 * minutes + seconds, Form::Hours)
+        }
         _ => return None,
     };
     Some(match day {
-        Some(day) => Reading { seconds: day * DAY + seconds - zone, form: Form::Moment },
-        None => Reading { seconds, form },
+        Some(day) => Reading { days: day.days, seconds: seconds - zone, form: Form::Moment, order: day.order },
+        None => Reading { days: 0.0, seconds, form, order: Order::Stated },
     })
 }
 
 /// Times in seconds from the first row. A clock without a date restarts at midnight or at the full hour; consecutive rows
 /// must be less than half a turn apart. `stated` is the meaning of `12:30` given by the header.
 pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
+    let mut readings = readings.to_vec();
+    let settled = date::settle(&mut readings);
     let every = |form: Form| readings.iter().all(|reading| reading.form == form);
     let two = every(Form::Two);
     let as_hours = two && stated == Some(Form::Hours);
@@ -101,11 +117,19 @@ pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     };
     // Hours beyond 24 or minutes beyond 60 show that the clock does not restart.
     let turn = turn.filter(|turn| greatest < *turn);
-    let mut times = Times { seconds: Vec::with_capacity(readings.len()), wrapped: 0, guessed: two && stated.is_none() };
-    let first = readings.first().map_or(0.0, |reading| reading.seconds * factor);
+    let mut times = Times {
+        seconds: Vec::with_capacity(readings.len()),
+        wrapped: 0,
+        guessed: two && stated.is_none(),
+        month_first: settled.unwrap_or(None),
+        open: settled.is_err(),
+    };
+    let start = readings.first().map_or(0.0, |reading| reading.days);
+    let seconds = |reading: &Reading| (reading.days - start) * DAY + reading.seconds * factor;
+    let first = readings.first().map_or(0.0, seconds);
     let (mut before, mut added) = (first, 0.0);
-    for reading in readings {
-        let now = reading.seconds * factor;
+    for reading in &readings {
+        let now = seconds(reading);
         if let Some(turn) = turn.filter(|turn| now < before - 0.5 * turn) {
             added += turn;
             times.wrapped += 1;
@@ -117,70 +141,12 @@ pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     times
 }
 
-/// Days since 1 January 1970 of the date at the beginning, and the rest of the text. The days are `None` if day and month
-/// cannot be distinguished (`1/2/2026`); the date is then ignored.
-fn date(text: &str) -> Option<(Option<f64>, &str)> {
-    let end = text.find(['T', ' ', ',']).unwrap_or(text.len());
-    let (date, rest) = text.split_at(end);
-    let separator = date.chars().find(|character| !character.is_ascii_digit())?;
-    if !matches!(separator, '-' | '/' | '.') {
-        return None;
-    }
-    let mut parts = date.split(separator);
-    let (first, second, third) = (parts.next()?, parts.next()?, parts.next()?);
-    let number = |text: &str| -> Option<i64> {
-        (!text.is_empty() && text.len() <= 4 && text.bytes().all(|byte| byte.is_ascii_digit()))
-            .then(|| text.parse().ok())
-            .flatten()
-    };
-    let (first_number, second_number, third_number) = (number(first)?, number(second)?, number(third)?);
-    if parts.next().is_some() {
-        return None;
-    }
-    if first.len() == 4 {
-        return Some((Some(days(first_number, second_number, third_number)?), rest));
-    }
-    let year = match third.len() {
-        4 => third_number,
-        2 => 2000 + third_number,
-        _ => return None,
-    };
-    if separator != '.' {
-        let either = is_date(year, first_number, second_number) || is_date(year, second_number, first_number);
-        return either.then_some((None, rest));
-    }
-    Some((Some(days(year, second_number, first_number)?), rest))
-}
-
-/// True if the date exists: no 31 February.
-fn is_date(year: i64, month: i64, day: i64) -> bool {
-    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let last = match month {
-        2 => 28 + i64::from(leap),
-        4 | 6 | 9 | 11 => 30,
-        _ => 31,
-    };
-    (1..=12).contains(&month) && (1..=last).contains(&day)
-}
-
-/// Days since 1 January 1970 in the Gregorian calendar (H. Hinnant, "chrono-compatible low-level date algorithms").
-fn days(year: i64, month: i64, day: i64) -> Option<f64> {
-    if !is_date(year, month, day) {
-        return None;
-    }
-    let year = if month <= 2 { year - 1 } else { year };
-    let era = year.div_euclid(400);
-    let year_of_era = year - 400 * era;
-    let day_of_year = (153 * (month + if month > 2 { -3 } else { 9 }) + 2) / 5 + day - 1;
-    let day_of_era = 365 * year_of_era + year_of_era / 4 - year_of_era / 100 + day_of_year;
-    Some((146_097 * era + day_of_era - 719_468) as f64)
-}
-
 /// Time without a trailing `Z` or `+01:00`, and the offset of the zone in seconds; offsets are only read after a date.
 fn zone(text: &str, dated: bool) -> (&str, f64) {
     let text = text.trim_end();
-    if let Some(rest) = text.strip_suffix('Z') {
-        return (rest, 0.0);
+    let universal = ["Z", "GMT", "UTC"].iter().find_map(|name| text.strip_suffix(name));
+    if let Some(rest) = universal {
+        return (rest.trim_end(), 0.0);
     }
     let Some(place) = text.rfind(['+', '-']).filter(|place| dated && *place > 0) else { return (text, 0.0) };
     let digits: String = text[place + 1..].chars().filter(|character| *character != ':').collect();
@@ -229,7 +195,7 @@ mod tests {
     use super::*;
 
     fn seconds(text: &str) -> Option<(f64, Form)> {
-        read(text).map(|reading| (reading.seconds, reading.form))
+        read(text).map(|reading| (reading.days * DAY + reading.seconds, reading.form))
     }
 
     #[test]
@@ -247,7 +213,11 @@ mod tests {
             ("2000-03-01 01:00:00.25+01:00", 951_868_800.25, Form::Moment),
             ("2000-03-01T00:00:00Z", 951_868_800.0, Form::Moment),
             ("01.03.2000 00:00", 951_868_800.0, Form::Moment),
-            ("3/1/2000 00:01:00", 60.0, Form::Hours),
+            ("20/3/2000 00:01:00", 953_510_460.0, Form::Moment),
+            ("Mar 1, 2000 12:00:00 AM", 951_868_800.0, Form::Moment),
+            ("Wed, 01 Mar 2000 01:00:00 +0100", 951_868_800.0, Form::Moment),
+            ("1-mar-00", 951_868_800.0, Form::Date),
+            ("10:00:00:040", 36000.04, Form::Hours),
         ] {
             assert_eq!(seconds(text), Some((expected, form)), "{text}");
         }
@@ -283,7 +253,13 @@ mod tests {
     #[test]
     fn what_two_numbers_mean_can_be_stated() {
         let readings: Vec<Reading> = ["12:30", "12:31"].iter().filter_map(|text| read(text)).collect();
-        assert_eq!(times(&readings, None), Times { seconds: vec![0.0, 1.0], wrapped: 0, guessed: true });
-        assert_eq!(times(&readings, Some(Form::Hours)), Times { seconds: vec![0.0, 60.0], wrapped: 0, guessed: false });
+        assert_eq!(
+            times(&readings, None),
+            Times { seconds: vec![0.0, 1.0], wrapped: 0, guessed: true, month_first: None, open: false }
+        );
+        assert_eq!(
+            times(&readings, Some(Form::Hours)),
+            Times { seconds: vec![0.0, 60.0], wrapped: 0, guessed: false, month_first: None, open: false }
+        );
     }
 }

@@ -238,7 +238,12 @@ fn possible(lines: &[&str]) -> Vec<(Delimiter, u8)> {
         candidates.push((CommaAndBlank, b','));
     }
     candidates.extend([(Comma, b'.'), (Blanks, b'.'), (Blanks, b','), (Blank, b'.'), (Blank, b','), (Comma, b',')]);
-    for other in [b'|', b'&', b':', b'/', b'~'] {
+    // Dates and times of day before another delimiter hold no delimiters.
+    let dated = |line: &&&str| {
+        line.contains([';', ',', '\t', '|']) || line.split_whitespace().any(|word| clock::read(word).is_some())
+    };
+    let whole = 2 * lines.iter().filter(dated).count() > lines.len();
+    for other in [b'|', b'&', b':', b'/', b'~'].into_iter().filter(|sign| !whole || !matches!(sign, b':' | b'/')) {
         candidates.extend([(Other(other), b'.'), (Other(other), b',')]);
     }
     candidates

@@ -4,6 +4,7 @@
 mod cells;
 mod checks;
 mod clock;
+mod date;
 mod decode;
 mod device;
 mod first;
@@ -13,6 +14,7 @@ mod influx;
 mod json;
 mod lines;
 mod mixed;
+mod notation;
 mod notes;
 mod number;
 mod others;
@@ -21,7 +23,9 @@ mod program;
 mod refusal;
 mod rows;
 mod runs;
+mod sections;
 mod separators;
+mod serial_days;
 mod settle;
 #[cfg(test)]
 mod slices;
@@ -36,14 +40,15 @@ pub use format::Format;
 pub use program::Program;
 pub use refusal::{ImportError, Refusal};
 
+use crate::conversion::Conversion;
 use crate::finding::Finding;
 use crate::origin::Origin;
 use crate::table::{Column, Table};
 use crate::{roles, scale_line};
-use checks::{refuse_double_commas, refuse_unread_times};
+use checks::{refuse_dates, refuse_double_commas, refuse_unread_times};
 use device::Device;
 use first::First;
-use head::Head;
+use head::{Head, Meant};
 use json::Json;
 use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
@@ -294,19 +299,24 @@ impl<'a> Importer<'a> {
         };
         let head_lines: Vec<&str> = text[..first.offset].lines().collect();
         let mut heads = head::read(&head_lines, format.delimiter, &rows.below(), &mut findings);
-        refuse_double_commas(&heads, &rows, &format)?;
         rows.widen(heads.len(), &text);
         heads.resize(rows.columns.len(), Head::default());
         let clocks = settle::columns(&mut rows, &mut heads, &mut findings);
         findings.truncate(FINDINGS);
-        for (head, values) in heads.iter().zip(&mut rows.columns) {
-            if let Some(conversion) = head.conversion() {
-                values.iter_mut().for_each(|number| *number = conversion.value(*number));
-            }
+        let serial = serial_days::to_seconds(&mut rows, &mut heads);
+        let sections = sections::read(&mut rows, &heads, format.delimiter);
+        if sections.len() == 1 {
+            refuse_double_commas(&heads, &rows, &format, clocks.len())?;
         }
+        sections::convert(&sections, &mut rows);
+        findings.extend(sections::finding(&sections, &heads));
+        let sections = sections::join(sections, &mut rows, &mut heads);
         rows.refuse_words(first.line)?;
         refuse_unread_times(&heads, &rows)?;
-        let (mut columns, mut kept) = columns(heads, &mut rows, &mut findings);
+        refuse_dates(&clocks, &heads, first.line + 1)?;
+        rows.refuse_unread(&heads)?;
+        let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
+        let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
@@ -330,10 +340,11 @@ impl<'a> Importer<'a> {
         let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         if table.readings.is_empty() {
-            runs::side_by_side(&mut table, &rows.repeats);
+            runs::side_by_side(&mut table, &rows.repeats, &rows.titles);
         }
         let labels = table.labels();
         let label = |index| kept.binary_search(&index).ok().and_then(|place| labels.get(place).cloned());
+        findings.extend(serial.into_iter().filter_map(|column| Some(Finding::SerialDays(label(column)?))));
         findings.extend(clocks.iter().filter_map(|clock| Some(clock_finding(clock, label(clock.column)?))));
         let other_sign =
             |column: &usize| Some(Finding::OtherSign { column: label(*column)?, point: format.decimal == b',' });
@@ -413,6 +424,13 @@ pub(crate) fn is_unit(text: &str) -> bool {
 /// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.
 pub fn unit(text: &str) -> Option<Unit> {
     head::unit_of(text)
+}
+
+/// Unit that a person states for a column of this name, with the conversion of its numbers to values in the unit: all that
+/// headings state, such as `°C`.
+pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
+    let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
+    Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
 }
 
 fn called(name: &str, index: usize) -> String {

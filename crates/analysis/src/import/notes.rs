@@ -54,6 +54,7 @@ pub(super) fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
         days: clock.form == Form::Date,
         wrapped: clock.times.wrapped,
         minutes: clock.times.guessed,
+        month_first: clock.times.month_first,
     }
 }
 

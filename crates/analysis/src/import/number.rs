@@ -1,5 +1,7 @@
 //! Numbers in the notations of programs: `-1.686115217E2`, `-1,686115217E2`, `−0,5`, `.5`.
 
+use super::notation;
+
 /// Powers of ten that `f64` represents exactly.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
@@ -56,8 +58,12 @@ fn whole(text: &str, signs: Signs) -> Option<f64> {
     if let Some((number, _)) = exact(text) {
         return Some(number);
     }
-    if text.contains(['\u{2212}', '–']) {
-        return whole(&text.replace(['\u{2212}', '–'], "-"), signs);
+    const MINUS: [char; 7] = ['\u{2212}', '–', '\u{2010}', '\u{2011}', '\u{2012}', '\u{fe63}', '\u{ff0d}'];
+    if text.contains(MINUS) {
+        return whole(&text.replace(MINUS, "-"), signs);
+    }
+    if let Some(number) = notation::read(text, |plain| whole(plain, signs)) {
+        return Some(number);
     }
     let separator = |character: char| {
         matches!(character, ' ' | '\u{a0}' | '\u{2009}' | '\u{202f}' | '\'' | '’')
@@ -106,6 +112,11 @@ pub(super) fn with_unit(text: &str, signs: Signs) -> Option<(f64, &str)> {
         return None;
     }
     Some((whole(number.trim(), signs)?, unit))
+}
+
+/// True if a number has a notation that other readers may read otherwise: `(0.15)`, `3.13(4)`, `4.19k`.
+pub(super) fn is_unusual(text: &str) -> bool {
+    text.contains(['(', '±', '×', '·', '=', 'k']) || text.ends_with('-')
 }
 
 /// True if a cell holds a spreadsheet error: `#DIV/0!`, `#N/A`, `#WERT!`.

@@ -9,6 +9,11 @@ use super::number::{self, Signs};
 pub(super) struct Others {
     /// Number of words: neither a number, nor a time, nor a number with a unit.
     pub words: usize,
+    /// Number of words that hold a digit, and the first of them.
+    pub digits: usize,
+    pub first_digits: Option<(usize, String)>,
+    /// Line, text and value of the first number in an unusual notation.
+    pub notation: Option<(usize, String, f64)>,
     /// Line and text of the first word.
     pub first: Option<(usize, String)>,
     /// Times of day and dates, with their rows.

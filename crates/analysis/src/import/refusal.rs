@@ -57,6 +57,29 @@ pub enum Refusal {
         /// Text of its first cell.
         text: String,
     },
+    /// Day and month cannot be told apart in the dates of a column.
+    Dates {
+        /// Name of the column.
+        column: String,
+    },
+    /// More than a tenth of the cells of a column hold digits and cannot be read.
+    Unread {
+        /// Name of the column.
+        column: String,
+        /// Text of the first.
+        text: String,
+        /// Number of these cells.
+        count: usize,
+        /// Number of cells of the column.
+        cells: usize,
+    },
+    /// More than a tenth of the lines between the rows hold numbers and cannot be read.
+    UnreadLines {
+        /// Number of these lines.
+        count: usize,
+        /// Number of rows.
+        rows: usize,
+    },
     /// Commas are both delimiters and decimal signs.
     Commas {
         /// Number of names in the header.
@@ -116,6 +139,17 @@ impl ImportError {
             Refusal::Times { column, text } => {
                 say!(language, "the times in column {column} cannot be read; the first is `{text}`")
             }
+            Refusal::Dates { column } => say!(
+                language,
+                "the dates in column {column} can have the day first or the month first, and nothing in the file decides"
+            ),
+            Refusal::Unread { column, text, count, cells } => say!(
+                language,
+                "{count} of {cells} cells of column {column} cannot be read as numbers; the first is `{text}`"
+            ),
+            Refusal::UnreadLines { count, rows } => {
+                say!(language, "{count} lines between the {rows} rows hold digits and cannot be read")
+            }
             Refusal::Commas { names, cells } => say!(
                 language,
                 "{cells} numbers for {names} names: the comma seems to be both delimiter and decimal sign"
@@ -140,6 +174,8 @@ impl ImportError {
             Refusal::Json => language.say("write a list of records, `[{\"t\": 0, \"x\": 1}, …]`, or lists by name, `{\"t\": […], \"x\": […]}`"),
             Refusal::Commas { .. } => language.say("export it again with tabs or semicolons between the columns"),
             Refusal::Separator { .. } => language.say("export it again without signs between the thousands"),
+            Refusal::Dates { .. } => language.say("write the dates as 2026-01-02, or state the order by a date with a day above 12"),
+            Refusal::Unread { .. } | Refusal::UnreadLines { .. } => language.say("write plain numbers into these cells, or leave them empty"),
             Refusal::Times { .. } => language.say("write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"),
             Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup => language.say("export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"),
             _ => language.say("a table has one row a line: the time, then one or more quantities, with tabs, commas, semicolons or blanks between"),

@@ -6,10 +6,14 @@ use super::head::{self, Below};
 use super::number::{self, Cell};
 use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
+use super::sections::{self, Between};
 use crate::finding::Finding;
+use crate::run_name;
 
 /// Upper bound of the words, and of other cells by kind and column, that are listed individually.
 const TOLD: usize = 5;
+/// Least number of unread cells of a column, or of unread lines, for a refusal.
+const SEVERAL: usize = 3;
 /// Upper bound of the number of cells, or the size of the file in bytes if that is greater. Beyond it a longer row adds no
 /// columns; otherwise a small file could need any amount of memory.
 const CELLS: usize = 4_000_000;
@@ -34,8 +38,14 @@ pub(super) struct Rows {
     listed: Vec<Listed>,
     /// Lines that hold only words: line of the first, and their number.
     word_lines: Option<(usize, usize)>,
+    /// Number of these lines whose words all begin with a digit.
+    unread_lines: usize,
     /// Rows before which a line of the header is repeated.
     pub repeats: Vec<usize>,
+    /// Names of the runs that begin at the first row and at `repeats`; empty if they have none.
+    pub titles: Vec<String>,
+    /// Lines between the rows.
+    pub between: Vec<Between>,
     /// Rows with too many cells: line of the first, and their number.
     long: Option<(usize, usize)>,
 }
@@ -92,6 +102,7 @@ impl Rows {
                 match self.any(line, number, format, &mut row) {
                     Some(found) => width = found,
                     None => {
+                        sections::keep(&mut self.between, self.length, number, line);
                         if self.repeats.last() != Some(&self.length) && is_in(header, line) {
                             self.repeats.push(self.length);
                         }
@@ -139,6 +150,11 @@ impl Rows {
         if start.is_empty() || comment || start.starts_with("//") {
             return None;
         }
+        // `Run 2` between blanks is a title, not a word and a number.
+        if start.starts_with(char::is_alphabetic) && run_name::name(start).is_some() {
+            self.word_lines.get_or_insert((number, 0)).1 += 1;
+            return None;
+        }
         let mut others: Vec<(usize, &str, Other)> = Vec::new();
         let (mut width, mut is_row) = (0, false);
         for (column, text) in Cells::of(line, format.delimiter).enumerate().take(COLUMNS) {
@@ -146,6 +162,9 @@ impl Rows {
             let (value, other) = match number::cell(text, signs) {
                 Cell::Number(value) => {
                     is_row = true;
+                    if number::is_unusual(text) {
+                        self.note_notation(number, column, text, value);
+                    }
                     (value, None)
                 }
                 Cell::Gap => (f64::NAN, None),
@@ -161,6 +180,8 @@ impl Rows {
         if !is_row {
             // Title or header between the rows.
             if !others.is_empty() {
+                let digits = |text: &str| text.starts_with(|first: char| first.is_ascii_digit());
+                self.unread_lines += usize::from(others.iter().all(|(_, text, _)| digits(text)));
                 self.word_lines.get_or_insert((number, 0)).1 += 1;
             }
             return None;
@@ -179,6 +200,10 @@ impl Rows {
         let what = match other {
             Other::Word => {
                 mine.words += 1;
+                if text.contains(|letter: char| letter.is_ascii_digit()) {
+                    mine.digits += 1;
+                    mine.first_digits.get_or_insert_with(|| (line, excerpt(text)));
+                }
                 mine.first.get_or_insert_with(|| (line, excerpt(text)));
                 What::Word
             }
@@ -187,11 +212,17 @@ impl Rows {
                 What::Clock
             }
             Other::WithUnit(value, unit) => {
-                mine.with_units.push((row, value));
+                // `100 ms` and `1.2 s` in one column: all in the unit of the first.
+                let mut value = value;
                 match &mut mine.unit {
-                    Some((first, same)) => *same &= *first == unit,
+                    Some((first, same)) if *first != unit => match head::ratio(&unit, first) {
+                        Some(ratio) => value = if ratio < 1.0 { value / (1.0 / ratio).round() } else { value * ratio },
+                        None => *same = false,
+                    },
+                    Some(_) => {}
                     None => mine.unit = Some((unit, true)),
                 }
+                mine.with_units.push((row, value));
                 What::WithUnit
             }
         };
@@ -200,6 +231,45 @@ impl Rows {
         if *listed <= TOLD {
             self.listed.push(Listed { line, column, text: excerpt(text), what });
         }
+    }
+
+    /// Removes lines that begin a section from the lines of words.
+    pub fn forget_lines(&mut self, lines: impl Iterator<Item = usize>) {
+        for line in lines {
+            self.word_lines = self
+                .word_lines
+                .filter(|(_, count)| *count > 1)
+                .map(|(first, count)| (if first == line { line + 1 } else { first }, count - 1));
+        }
+    }
+
+    fn note_notation(&mut self, line: usize, column: usize, text: &str, value: f64) {
+        if self.others.len() <= column {
+            self.others.resize_with(column + 1, Others::default);
+        }
+        if let Some(mine) = self.others.get_mut(column) {
+            mine.notation.get_or_insert_with(|| (line, excerpt(text), value));
+        }
+    }
+
+    /// Refuses columns of numbers in which more than a tenth of the cells hold digits and no number.
+    pub fn refuse_unread(&self, heads: &[head::Head]) -> Result<(), ImportError> {
+        if 10 * self.unread_lines > self.length && self.unread_lines >= SEVERAL {
+            let line = self.word_lines.map(|(line, _)| line);
+            return Err(ImportError::new(line, Refusal::UnreadLines { count: self.unread_lines, rows: self.length }));
+        }
+        for (index, (values, others)) in self.columns.iter().zip(&self.others).enumerate() {
+            let numbers = values.iter().filter(|value| value.is_finite()).count();
+            let Some((line, text)) = others.first_digits.clone() else { continue };
+            let cells = numbers + others.words;
+            if numbers < SEVERAL || others.digits < SEVERAL || 10 * others.digits <= cells {
+                continue;
+            }
+            let name = heads.get(index).map_or("", |head| head.name.as_str());
+            let column = if name.is_empty() { (index + 1).to_string() } else { name.to_owned() };
+            return Err(ImportError::new(Some(line), Refusal::Unread { column, text, count: others.digits, cells }));
+        }
+        Ok(())
     }
 
     /// Contents of a column besides numbers.
@@ -310,6 +380,11 @@ impl Rows {
         if all > reported {
             findings.push(Finding::MoreWords(all - reported));
         }
+        let notation = |(column, others): (usize, &Others)| {
+            let (line, text, value) = others.notation.clone()?;
+            Some(Finding::Notation { line, column: label(column)?, text, value: value.to_string() })
+        };
+        findings.extend(self.others.iter().enumerate().filter_map(notation).take(TOLD));
         if let Some((line, count)) = self.long {
             findings.push(Finding::ExtraCells { line, count });
         }

@@ -10,19 +10,11 @@ const SHORTEST: usize = 3;
 
 /// Moves runs beside each other as bodies, `Run 1` and `Run 2`. A run begins where the header is repeated and the times
 /// restart; without repeated headers, where the times restart at the first time. `repeats` are the rows after a repeated
-/// header, ascending.
-pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
+/// header, ascending; `titles` are the names of the runs, empty without any.
+pub(super) fn side_by_side(table: &mut Table, repeats: &[usize], titles: &[String]) {
     let length = table.rows();
     let found = if repeats.is_empty() { restarts(table) } else { Vec::new() };
     let repeats = if repeats.is_empty() { &found } else { repeats };
-    let mut starts = vec![0];
-    starts.extend(repeats.iter().copied().filter(|row| (1..length).contains(row)));
-    let ends: Vec<usize> = starts.iter().skip(1).copied().chain([length]).collect();
-    let longest = starts.iter().zip(&ends).map(|(start, end)| end - start).max().unwrap_or(0);
-    let count = table.columns.len();
-    let named = table.columns.iter().any(|column| column.body.is_some());
-    // Runs of very different lengths would need much memory for gaps.
-    let too_many = starts.len() * count > COLUMNS || starts.len() * longest > 20 * length;
     let Some(times) = table.independent().last().map(|index| &table.columns[index].values) else { return };
     let begins_again = |row: &usize| {
         let (before, after) = times.split_at(*row);
@@ -30,9 +22,21 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
         let first = after.iter().find(|time| time.is_finite());
         last.zip(first).is_some_and(|(last, first)| first < last)
     };
-    if starts.len() < 2 || named || too_many || !starts[1..].iter().all(begins_again) {
+    let mut starts = vec![0];
+    starts.extend(repeats.iter().copied().filter(|row| (1..length).contains(row) && begins_again(row)));
+    let ends: Vec<usize> = starts.iter().skip(1).copied().chain([length]).collect();
+    let longest = starts.iter().zip(&ends).map(|(start, end)| end - start).max().unwrap_or(0);
+    let count = table.columns.len();
+    let named = table.columns.iter().any(|column| column.body.is_some());
+    // Runs of very different lengths would need much memory for gaps.
+    let too_many = starts.len() * count > COLUMNS || starts.len() * longest > 20 * length;
+    if starts.len() < 2 || named || too_many {
         return;
     }
+    let title = |run: usize| match titles.get(run) {
+        Some(title) if titles.len() == starts.len() => title.clone(),
+        _ => format!("Run {}", run + 1),
+    };
     let mut columns = Vec::with_capacity(starts.len() * count);
     for (run, (start, end)) in starts.iter().zip(&ends).enumerate() {
         for column in &table.columns {
@@ -41,7 +45,7 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize]) {
             columns.push(Column {
                 name: column.name.clone(),
                 unit: column.unit.clone(),
-                body: Some(format!("Run {}", run + 1)),
+                body: Some(title(run)),
                 independent: column.independent + run * count,
                 values,
                 origin: column.origin.clone(),

@@ -1,6 +1,7 @@
 //! Columns of times of day, or of numbers followed by a unit.
 
 use super::clock::{self, Form, Reading, Times};
+use super::date::Order;
 use super::head::{self, Head, Meant};
 use super::rows::Rows;
 use crate::finding::{Finding, Heading};
@@ -77,7 +78,7 @@ fn take_clocks(
     for (row, value) in rows.columns[column].iter_mut().enumerate() {
         if value.is_finite() {
             if stopwatch {
-                readings.push((row, Reading { seconds: *value, form: Form::Minutes }));
+                readings.push((row, Reading { days: 0.0, seconds: *value, form: Form::Minutes, order: Order::Stated }));
             }
             *value = f64::NAN;
         }

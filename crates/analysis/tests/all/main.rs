@@ -16,6 +16,7 @@ mod headings;
 mod import;
 mod import_limits;
 mod import_properties;
+mod import_variants;
 mod old_workbooks;
 mod percentages;
 mod roles;

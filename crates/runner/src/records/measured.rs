@@ -95,11 +95,11 @@ pub fn bounded(source: &mut dyn Read, path: &Path) -> Result<Vec<u8>, Refusal> {
 /// columns of that name.
 fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<(), Refusal> {
     for Assignment { name, value } in units {
-        let unit = import::unit(value.trim_matches(['[', ']'])).ok_or_else(|| {
-            Refusal::with_hint(format!("--unit {name}={value}: `{value}` is not a known unit"), "write --unit t=ms")
-        })?;
         let found = find(file, table, name, &|name| format!("--unit {name}={value}"))?;
         let called = table.columns.get(found).map(|column| column.name.clone()).unwrap_or_default();
+        let (unit, stated) = import::stated_unit(value.trim_matches(['[', ']']), &called).ok_or_else(|| {
+            Refusal::with_hint(format!("--unit {name}={value}: `{value}` is not a known unit"), "write --unit t=ms")
+        })?;
         let all_bodies = called.to_lowercase() == name.to_lowercase() && !called.is_empty();
         for (index, column) in table.columns.iter_mut().enumerate() {
             if index != found && !(all_bodies && column.name == called) {
@@ -114,6 +114,10 @@ fn state_units(file: &str, table: &mut Table, units: &[Assignment]) -> Result<()
             if let Some(conversion) = column.origin.conversion.take() {
                 column.values.iter_mut().for_each(|value| *value = conversion.number(*value));
             }
+            if let Some(conversion) = stated {
+                column.values.iter_mut().for_each(|value| *value = conversion.value(*value));
+            }
+            column.origin.conversion = stated;
             column.unit = Some(unit.clone());
             column.origin.unit = UnitOrigin::Person;
         }

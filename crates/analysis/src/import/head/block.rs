@@ -50,6 +50,12 @@ pub(super) fn tell(lines: &[&str], delimiter: Delimiter, below: &Below) -> Optio
             (better.filter(|row| row.as_names() >= own + 3.0).map_or(last, |row| row.line), None)
         }
     };
+    // Symbols below the names of the same quantities, `Time, Potential` over `t, U`: the names are longer.
+    let names = rows
+        .iter()
+        .find(|row| row.line + 1 == names)
+        .filter(|row| row.spells(&rows, names))
+        .map_or(names, |row| row.line);
     // With cells merged downwards, the line below completes the names.
     let completes = |row: &&Row| row.line > names && Some(row.line) != units && row.completes(&rows, names);
     let names = rows.iter().find(completes).map_or(names, |row| row.line);
@@ -81,6 +87,20 @@ impl<'a> Row<'a> {
 
     fn filled(&self) -> usize {
         self.cells.iter().filter(|cell| !cell.is_empty()).count()
+    }
+
+    /// True if this line has a long name for each symbol of the line of names just below it.
+    fn spells(&self, rows: &[Self], names: usize) -> bool {
+        let Some(symbols) = rows.iter().find(|row| row.line == names) else { return false };
+        let is_short = |cell: &&str| cell.chars().count() <= 3;
+        let timed = |row: &Self| row.cells.iter().any(|cell| is_time(cell));
+        self.own
+            && self.fits
+            && self.cells.len() == symbols.cells.len()
+            && self.cells.iter().all(|cell| cell.chars().count() > 3)
+            && symbols.cells.iter().all(|cell| !cell.is_empty() && is_short(&cell))
+            && timed(self)
+            && timed(symbols)
     }
 
     /// True if this line, just below the line of names, has names exactly where that has none.

@@ -38,6 +38,12 @@ impl Head {
         self.unit.as_ref().is_some_and(same) && reading == meant.reading && self.tens.is_none()
     }
 
+    /// True if the unit was only taken from the end of the name: `Temp ms`, not `Temp (ms)` or `Temp / ms`.
+    pub(super) fn is_guessed(&self) -> bool {
+        self.origin == UnitOrigin::Suffix
+            || (self.origin == UnitOrigin::Heading && !self.heading.contains(['[', '(', '<', '{', '/', ':']))
+    }
+
     /// Sets the unit and discards the reading and the power of ten of the header.
     pub fn take(&mut self, meant: Meant, text: String, origin: UnitOrigin) {
         self.reading = meant.reading.map(|reading| (reading, text));

@@ -118,6 +118,12 @@ fn bracketed(cell: &str) -> Option<Label> {
                 label.behind = cell[open..].trim().to_owned();
             }
             match label.origin {
+                // `time (source1)` names a device and no unit; `t (ticks)` is in an unknown one.
+                UnitOrigin::Unknown(text)
+                    if remark && is_time(name) && text.ends_with(|last: char| last.is_ascii_digit()) =>
+                {
+                    Label { origin: UnitOrigin::default(), ..label }
+                }
                 UnitOrigin::Unknown(text) if remark && !is_time(name) && !looks_like_unit(&text) => {
                     Label { origin: UnitOrigin::Remark(text), ..label }
                 }
@@ -237,7 +243,7 @@ fn suffix(cell: &str) -> Option<Label> {
     if name.is_empty() || text.contains(['{', '}', '^', '(']) {
         return None;
     }
-    let found = symbol(text, name).filter(|_| !is_word(text))?;
+    let found = symbol(text, name).filter(|_| !is_word(text) && !is_numbered(text, name))?;
     let letters = |text: &str| text.chars().filter(|character| character.is_alphabetic()).count();
     let of_time = found.unit.dimension == Dimension::TIME;
     let certain = if is_time(name) {
@@ -252,13 +258,22 @@ fn suffix(cell: &str) -> Option<Label> {
 fn last_word(cell: &str) -> Option<Label> {
     let (name, text) = cell.rsplit_once([' ', ','])?;
     let name = name.trim_end_matches([' ', ',']);
-    let found = symbol(text, name).filter(|_| !is_word(text))?;
+    let found = symbol(text, name).filter(|_| !is_word(text) && !is_numbered(text, name))?;
     let certain = if is_time(name) {
         found.unit.dimension == Dimension::TIME
     } else {
         text.chars().count() >= 2 && found.unit.dimension != Dimension::TIME
     };
     (certain && !name.is_empty()).then(|| named(name, found, UnitOrigin::Heading))
+}
+
+/// True if a text is a letter and a number, which number a sensor or a pin: `Temp A0`, `Pos m2`. Over an area or a volume
+/// they are a unit.
+fn is_numbered(text: &str, name: &str) -> bool {
+    let letters = text.trim_end_matches(|last: char| last.is_ascii_digit());
+    let name = name.to_lowercase();
+    let square = ["area", "área", "surface", "fläche", "flaeche", "volum"].iter().any(|word| name.contains(word));
+    letters.len() < text.len() && letters.chars().count() == 1 && !square
 }
 
 /// True if a unit is also a common end of a name: `V_in`, `V in`.
@@ -280,7 +295,7 @@ mod tests {
     use super::*;
 
     /// The cell, and `run|name|unit` or `run|name|?what is not known`.
-    const CELLS: [(&str, &str); 60] = [
+    const CELLS: [(&str, &str); 74] = [
         ("t [s]", "|t|s"),
         ("'-x (m)", "|-x|m"),
         ("'=a (m/s^2)", "|=a|m/s^2"),
@@ -341,6 +356,20 @@ mod tests {
         ("Masse m", "|Masse m|"),
         ("Temperature [°C]", "|Temperature|K"),
         ("12:00:00.000", "||"),
+        ("Temp A0", "|Temp A0|"),
+        ("Pos m2", "|Pos m2|"),
+        ("Pressure C1", "|Pressure C1|"),
+        ("Area m2", "|Area|m^2"),
+        ("Volume cm3", "|Volume|cm^3"),
+        ("time (source1)", "|time|"),
+        ("Torque [Nm]", "|Torque|N m"),
+        ("Energy (kWh)", "|Energy|kW h"),
+        ("v [cm.s^-1]", "|v|cm s^-1"),
+        ("t (с)", "|t|s"),
+        ("t, мс", "|t|ms"),
+        ("Gyro [dps]", "|Gyro|deg/s"),
+        ("T [˚C]", "|T|K"),
+        ("T [oC]", "|T|K"),
     ];
 
     #[test]

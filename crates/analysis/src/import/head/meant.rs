@@ -18,6 +18,11 @@ pub(in crate::import) fn unit(text: &str, name: &str) -> Option<Meant> {
     if let Some(level) = unit_words::level(text).or_else(|| letter_of_level(text, name)) {
         return temperature(level, name);
     }
+    // A difference of temperatures in thousandths.
+    if matches!(text, "m°C" | "m˚C" | "mºC" | "milli°C") {
+        let unit = Unit::parse("mK").ok()?;
+        return is_difference(name).then_some(Meant { unit, reading: None });
+    }
     let plain = |text: &str| Some(Meant { unit: unit_words::read(text)?, reading: None });
     match text {
         "g" | "G" | "gs" | "g's" | "g_n" | "mg" if is_acceleration(name) => {
@@ -31,6 +36,10 @@ pub(in crate::import) fn unit(text: &str, name: &str) -> Option<Meant> {
         }
         "C" if !is_charge(name) => return None,
         "S" if !is_conductance(name) && !is_time(name) => return None,
+        // Instruments print capitals: neither molar nor megametres.
+        "M" | "MM" if !is_concentration(name) => {
+            return if text == "MM" && !is_time(name) { plain("mm") } else { None };
+        }
         "pH" if !is_letter(name, "L") => return None,
         "°K" | "ºK" => return plain("K"),
         _ => {}
@@ -135,6 +144,10 @@ fn is_duration(name: &str) -> bool {
 
 fn is_charge(name: &str) -> bool {
     is_letter(name, "q") || is_letter(name, "Q") || has_word(name, &["charg", "carga", "ladung"])
+}
+
+fn is_concentration(name: &str) -> bool {
+    is_letter(name, "c") || is_letter(name, "C") || name.starts_with('[') || has_word(name, &["conc", "konz", "molar"])
 }
 
 fn is_conductance(name: &str) -> bool {

@@ -8,6 +8,7 @@ mod column;
 mod label;
 mod meant;
 mod power;
+mod prose;
 mod unit_words;
 
 pub(super) use below::Below;
@@ -25,6 +26,7 @@ use cells_of::{bare_unit, split};
 use column::head;
 use label::Label;
 use power::Sense;
+use units::Dimension;
 
 /// True if a text after a number is a unit.
 pub(super) fn is_unit(text: &str) -> bool {
@@ -46,6 +48,12 @@ pub(super) fn with_unit(name: &str, unit: &str) -> Head {
     head
 }
 
+/// Ratio of two units of one dimension by which a number in the first is multiplied; `None` if one is a temperature scale.
+pub(super) fn ratio(from: &str, to: &str) -> Option<f64> {
+    let (from, to) = (unit_of(from)?, unit_of(to)?);
+    (from.dimension == to.dimension).then_some(from.factor / to.factor)
+}
+
 /// Heads of all columns; there are more if the header has more.
 pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings: &mut Vec<Finding>) -> Vec<Head> {
     let columns = below.wide();
@@ -53,8 +61,16 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
     let mut numbers: Vec<usize> = Vec::new();
     // A title is followed by a blank line, the name of a body is not.
     let mut titles = 0;
+    let settings = prose::settings(lines, delimiter);
     for (number, line) in lines.iter().enumerate() {
         let bare = uncommented(line);
+        let is_comment = bare.len() < line.len();
+        // `# run 2: t y` names the run and the columns.
+        let bare = prose::without_run(bare, is_comment);
+        if settings.contains(&number) || (is_comment && prose::is_prose(bare, delimiter, columns)) {
+            titles = filled.len();
+            continue;
+        }
         let of_tracker = bare.trim_start().to_ascii_lowercase().starts_with("multi:");
         let of_excel = number == 0 && declared(line).is_some();
         if bare.trim().is_empty() {
@@ -65,6 +81,12 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
             // A comment line does not name a body either.
             titles = if bare.len() < line.len() { filled.len() } else { titles };
         }
+    }
+    // The name of a run stands above rows without names.
+    while filled.last().is_some_and(|line| prose::is_run(line, delimiter)) {
+        filled.pop();
+        numbers.pop();
+        titles = titles.min(filled.len());
     }
     let Some(block) = block::tell(&filled, delimiter, below) else { return vec![Head::default(); columns] };
     let mut heads = named(filled[block.names], delimiter, columns);
@@ -99,8 +121,22 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
         let units = block.units.map(number);
         findings.push(Finding::Heading(Heading::Lines { names: number(block.names), units, comments }));
     }
+    doubt_astronomy(&mut heads);
     say(&heads, findings);
     heads
+}
+
+/// Leaves the unit `au` open where no other column is a length: loggers write it for arbitrary units.
+fn doubt_astronomy(heads: &mut [Head]) {
+    let is_au = |head: &Head| head.unit.as_ref().is_some_and(|unit| unit.text == "au");
+    let is_length =
+        |head: &Head| head.unit.as_ref().is_some_and(|unit| unit.dimension == Dimension::LENGTH && unit.text != "au");
+    if heads.iter().any(is_length) {
+        return;
+    }
+    for head in heads.iter_mut().filter(|head| is_au(head)) {
+        (head.unit, head.origin) = (None, UnitOrigin::Unknown("au".to_owned()));
+    }
 }
 
 /// Reports powers of ten, conversions and unknown units.
@@ -162,7 +198,7 @@ fn complete(heads: &mut [Head], filled: &[&str], block: &block::Block, delimiter
 }
 
 /// Line without its comment sign.
-fn uncommented(line: &str) -> &str {
+pub(super) fn uncommented(line: &str) -> &str {
     let start = line.trim_start();
     let bare = start.strip_prefix('#').or_else(|| start.strip_prefix('%')).or_else(|| start.strip_prefix("//"));
     match bare {
@@ -183,6 +219,11 @@ fn take_units(heads: &mut [Head], units: &[&str], below: &Below, findings: &mut 
     for (index, head) in heads.iter_mut().enumerate() {
         let cell = units.get(index).copied().unwrap_or_default();
         let text = bare_unit(cell);
+        // A unit that is only guessed from the name gives way to the stated one.
+        if head.unit.is_some() && head.is_guessed() && !text.is_empty() && meant_unit(text, &head.heading).is_some() {
+            (head.name, head.unit, head.reading) = (head.heading.clone(), None, None);
+            head.origin = UnitOrigin::default();
+        }
         if head.unit.is_some() || head.origin.unknown().is_some() {
             continue;
         }

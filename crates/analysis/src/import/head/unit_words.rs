@@ -4,7 +4,7 @@ use units::Unit;
 
 /// Symbols of units with the words used over columns by loggers and spreadsheets, in lower case and singular; an `s`, `n`
 /// or `es` at the end is ignored. Documents must use the symbols.
-const WORDS: [(&str, &[&str]); 40] = [
+const WORDS: [(&str, &[&str]); 62] = [
     ("s", &["sec", "second", "seg", "segundo", "sek", "sekunde", "seconde", "secondo", "secondi"]),
     (
         "ms",
@@ -61,6 +61,28 @@ const WORDS: [(&str, &[&str]); 40] = [
     ("S", &["siemen"]),
     ("F", &["farad", "faradio"]),
     // `U/min` means revolutions too, not atomic mass units per minute.
+    ("N m", &["newtonmeter", "newton meter", "newton metre"]),
+    ("mmHg", &["torr"]),
+    ("kW h", &["kwh"]),
+    ("W h", &["wh"]),
+    ("deg/s", &["dps"]),
+    ("m/s", &["mps", "м/с"]),
+    ("s", &["с", "сек", "секунда", "секунды"]),
+    ("ms", &["мс", "мсек"]),
+    ("µs", &["мкс"]),
+    ("min", &["мин"]),
+    ("h", &["ч", "час"]),
+    ("m", &["м"]),
+    ("cm", &["см"]),
+    ("mm", &["мм"]),
+    ("km", &["км"]),
+    ("kg", &["кг"]),
+    ("g", &["г"]),
+    ("V", &["в"]),
+    ("A", &["а"]),
+    ("N", &["н"]),
+    ("Hz", &["гц"]),
+    ("Pa", &["па"]),
     ("rpm", &["rev/min", "r/min", "u/min", "upm", "r.p.m", "revolutions per minute"]),
 ];
 
@@ -74,7 +96,8 @@ pub(in crate::import) enum Level {
 /// Temperature scale of this name: `°C`, `degC`, `grados Celsius`, `Fahrenheit`.
 pub(in crate::import) fn level(text: &str) -> Option<Level> {
     let text: String = text.trim().to_lowercase().chars().filter(|letter| !letter.is_whitespace()).collect();
-    let text = text.replace('º', "°").replace('℃', "°c").replace('℉', "°f");
+    let text = text.replace(['º', '˚'], "°").replace('℃', "°c").replace('℉', "°f").replace('с', "c");
+    let text = if text == "oc" { "°c".to_owned() } else { text };
     let marked = ["degrees", "degree", "deg", "grados", "grado", "grad", "°"];
     let bare = marked.iter().find_map(|mark| text.strip_prefix(mark)).unwrap_or(&text);
     let has_mark = bare.len() < text.len();
@@ -89,7 +112,13 @@ pub(in crate::import) fn level(text: &str) -> Option<Level> {
 
 /// Unit of this name; `None` if unknown. The empty text and `-` are dimensionless.
 pub(in crate::import) fn read(text: &str) -> Option<Unit> {
-    let text = text.trim().trim_end_matches('.');
+    let text = text.trim().trim_matches('$').trim_end_matches('.');
+    let upright = text.strip_prefix("\\mathrm{").and_then(|rest| rest.strip_suffix('}'));
+    let text = upright.unwrap_or(text);
+    // `A0` and `t0` have a name for a zero, no power.
+    if text.ends_with('0') && text.chars().rev().nth(1).is_some_and(char::is_alphabetic) {
+        return None;
+    }
     // In a quotient, degrees are differences: `°C/min`. Alone they are a temperature scale.
     let kelvin =
         (text.contains(['°', 'º', '℃']) && text.contains(['/', ' ', '·', '*', '^', '⁻']) && level(text).is_none())
@@ -101,6 +130,10 @@ pub(in crate::import) fn read(text: &str) -> Option<Unit> {
     if matches!(text, "-" | "–" | "—") {
         return Some(Unit::dimensionless());
     }
+    // Torques are in newton metres, and no file of a laboratory states nanometres by a capital.
+    if matches!(text, "Nm" | "N.m" | "N·m" | "N*m" | "N-m") {
+        return Unit::parse("N m").ok();
+    }
     if let Some(symbol) = word(text) {
         return Unit::parse(symbol).ok();
     }
@@ -110,6 +143,9 @@ pub(in crate::import) fn read(text: &str) -> Option<Unit> {
     if let Some(symbol) = symbol(text) {
         return Unit::parse(symbol).ok();
     }
+    // A point between letters multiplies: `cm.s^-1`.
+    let dotted = text.contains('.') && !text.contains(|c: char| c.is_whitespace());
+    let text = &if dotted { text.replace('.', " ") } else { text.to_owned() };
     let spelled = spelled(&text.replace(" per ", "/").replace(" por ", "/").replace(" pro ", "/"));
     Unit::parse(&spelled).ok().or_else(|| Unit::parse(&divided_twice(&spelled)?).ok())
 }

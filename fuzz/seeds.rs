@@ -25,9 +25,18 @@ const SHEET: &str = r#"{"meniscus survey":1,"document":"U-tube","items":[
 
 fn main() -> io::Result<()> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for target in
-        ["bundle", "data_sets", "document", "film", "hand_in", "import", "language", "old_workbook", "survey", "tracker"]
-    {
+    for target in [
+        "bundle",
+        "data_sets",
+        "document",
+        "film",
+        "hand_in",
+        "import",
+        "language",
+        "old_workbook",
+        "survey",
+        "tracker",
+    ] {
         fs::create_dir_all(fuzz.join("corpus").join(target))?;
     }
     let write = |target: &str, name: &str, bytes: &[u8]| fs::write(fuzz.join("corpus").join(target).join(name), bytes);

@@ -92,6 +92,14 @@ const CASES: &[Case] = &[
 ! there are 2 runs, each with its own clock: Run 1, Run 2; a column is named with its run, `Run 2.y`",
     ),
     (
+        "Vernier: no symbols between names and units",
+        "Vernier Format 2\nUntitled.txt 8/5/2024 10:10:01 .\nRun 1\nTime\tPotential\n\t\ns\tmV\n\n0,0\t3,5\n0,5\t2,5\n",
+        "tabs, decimal comma, 7 header lines
+*Time [s]=0 0.5
+1:Potential [mV]=3.5 2.5
+! the file was read as a file of Vernier, with the settings of its header",
+    ),
+    (
         "MATLAB: the factor holds for all columns of a matrix",
         "A =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n    0.0010    0.0020\n    0.0030    0.0041\n\n  Columns 3 through 4\n\n    0.0050    0.0060\n    0.0070    0.0083\n",
         "blanks, decimal point, 6 header lines

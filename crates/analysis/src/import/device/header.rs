@@ -46,7 +46,7 @@ impl Header {
         match place {
             Place::Nowhere => Vec::new(),
             Place::Line(index) => line(index),
-            Place::FromEnd(index) => self.lines.len().checked_sub(index + 1).map(line).unwrap_or_default(),
+            Place::FromEnd(index) => self.line_from_end(index),
             Place::Key(keys) => {
                 let Some((cells, shared)) = self.setting(keys) else { return Vec::new() };
                 let is_key = |cell: &String| keys.contains(&key(cell).as_str());
@@ -54,6 +54,15 @@ impl Header {
                 cells.skip(usize::from(shared || !aligned)).collect()
             }
         }
+    }
+
+    /// Line of this index from the end; the one below it if it has a single text, because a line between is blank.
+    fn line_from_end(&self, index: usize) -> Vec<String> {
+        let line = |index: usize| self.lines.len().checked_sub(index + 1).and_then(|place| self.lines.get(place));
+        let single = |line: &&Vec<String>| line.iter().filter(|cell| !cell.is_empty()).count() < 2;
+        let below = index.checked_sub(1).and_then(line);
+        let own = line(index).filter(|own| below.is_none() || !single(own));
+        own.or(below).cloned().unwrap_or_default()
     }
 
     /// Line of a key, with the key in its first cell, and true if the key shared its cell with the first value.

@@ -71,17 +71,22 @@ fn agrees(facts: &[Fact], theory: &str, outcome: &Outcome) -> bool {
 /// # Errors
 /// The reason for which a hand-in cannot state the fits.
 fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Result<Project, Words> {
-    let (documents, state, files, fits) = stated(fitted, data, arguments)
+    let Stated { documents, state, files, fits } = stated(fitted, data, arguments)
         .ok_or_else(|| words("the fit uses an expression or an option that a hand-in cannot state"))?;
     project_of_files(documents, state, files, Vec::new(), fits)
 }
 
-/// Documents, state of the run, files and fits; `None` if something of them cannot be stated.
-fn stated(
-    fitted: &[&Fitted],
-    data: &[Measured],
-    arguments: &Common,
-) -> Option<(Vec<Source>, String, Vec<DataFile>, Vec<format::Fit>)> {
+/// Parts of a project of fits.
+struct Stated {
+    documents: Vec<Source>,
+    /// State of the run, as in a link.
+    state: String,
+    files: Vec<DataFile>,
+    fits: Vec<format::Fit>,
+}
+
+/// Parts of the project; `None` if something of the fits cannot be stated.
+fn stated(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Stated> {
     let documents = fitted.first()?.theory.sources.embedded();
     let state = arguments.seat.map_or_else(String::new, |seat| format!("1&seat={}", seat.number()));
     let observed = |one: &Measured| -> Option<Vec<usize>> {
@@ -101,7 +106,7 @@ fn stated(
     };
     let files = data.iter().zip(&columns).map(file).collect::<Option<_>>()?;
     let fits = fitted.iter().map(|one| fit(one, data, &columns, arguments)).collect::<Option<_>>()?;
-    Some((documents, state, files, fits))
+    Some(Stated { documents, state, files, fits })
 }
 
 fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &Common) -> Option<format::Fit> {

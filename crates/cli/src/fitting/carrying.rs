@@ -74,16 +74,22 @@ fn work(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Result<Pro
     if fitted.iter().any(|one| !one.task.tied.is_empty()) {
         return Err(words("the fit ties parameters, which a hand-in cannot state"));
     }
-    let (documents, state, files, fits) = stated(fitted, data, arguments)
+    let Stated { documents, state, files, fits } = stated(fitted, data, arguments)
         .ok_or_else(|| words("the fit uses an expression or an option that a hand-in cannot state"))?;
     project_of_files(documents, state, files, Vec::new(), fits)
 }
 
-/// Documents, state of the run, files and fits.
-type Statement = (Vec<Source>, String, Vec<DataFile>, Vec<format::Fit>);
+/// Parts of a project of fits.
+struct Stated {
+    documents: Vec<Source>,
+    /// State of the run, as in a link.
+    state: String,
+    files: Vec<DataFile>,
+    fits: Vec<format::Fit>,
+}
 
-/// What a hand-in states of the fits; `None` if something of them cannot be stated.
-fn stated(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Statement> {
+/// Parts of the project; `None` if something of the fits cannot be stated.
+fn stated(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<Stated> {
     let documents = fitted.first()?.theory.sources.embedded();
     let state = arguments.seat.map_or_else(String::new, |seat| format!("1&seat={}", seat.number()));
     let observed = |one: &Measured| -> Option<Vec<usize>> {
@@ -103,7 +109,7 @@ fn stated(fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> Option<S
     };
     let files = data.iter().zip(&columns).map(file).collect::<Option<_>>()?;
     let fits = fitted.iter().map(|one| fit(one, data, &columns, arguments)).collect::<Option<_>>()?;
-    Some((documents, state, files, fits))
+    Some(Stated { documents, state, files, fits })
 }
 
 fn fit(fitted: &Fitted, data: &[Measured], columns: &[Vec<usize>], arguments: &Common) -> Option<format::Fit> {

@@ -55,14 +55,14 @@ pub(super) fn unwrap(rows: &mut Rows, heads: &[Head]) -> Vec<(usize, u32)> {
         rises.sort_by(f64::total_cmp);
         let Some(median) = rises.get(rises.len() / 2).copied().filter(|_| whole && !falls.is_empty()) else { continue };
         let crosses = |bits: &u32| {
-            let turn = 2_f64.powi(*bits as i32);
+            let turn = (1_u64 << *bits) as f64;
             falls.iter().all(|(before, after)| *before < turn && after + turn - before <= 3.0 * median.max(1.0))
         };
         let Some(bits) = [16, 32].into_iter().find(crosses) else { continue };
         let (mut added, mut before) = (0.0, f64::NEG_INFINITY);
         for value in values.iter_mut().filter(|value| value.is_finite()) {
             if *value < before {
-                added += 2_f64.powi(bits as i32);
+                added += (1_u64 << bits) as f64;
             }
             before = *value;
             *value += added;

@@ -103,8 +103,8 @@ const MONTHS: [&[&str]; 12] = [
 fn month(word: &str) -> Option<i64> {
     let lower = word.to_lowercase();
     let known = (3..=10).contains(&lower.chars().count()) && lower.chars().all(char::is_alphabetic);
-    let begins = |names: &&[&str]| names.iter().any(|name| lower.starts_with(name));
-    MONTHS.iter().position(|names| known && begins(&names)).map(|place| place as i64 + 1)
+    let begins = |names: &[&str]| names.iter().any(|name| lower.starts_with(name));
+    MONTHS.iter().position(|names| known && begins(names)).map(|place| place as i64 + 1)
 }
 
 /// Next word of letters or digits after blanks and signs, and the rest.
@@ -156,10 +156,9 @@ pub(super) fn settle(readings: &mut [Reading]) -> Result<Option<bool>, ()> {
         (false, false) => {
             let Some(first) = readings.iter().find_map(open) else { return Ok(None) };
             // One day throughout: its order changes no difference.
-            if readings.iter().all(|reading| open(reading) == Some(first)) {
-                if readings.iter().all(|reading| reading.days == readings[0].days) {
-                    return Ok(None);
-                }
+            let same = |reading: &Reading| open(reading) == Some(first) && reading.days == readings[0].days;
+            if readings.iter().all(same) {
+                return Ok(None);
             }
             let day = |reading: &Reading| reading.days * DAY + reading.seconds;
             let month = |reading: &Reading| day(reading) + open(reading).unwrap_or(0.0) * DAY;

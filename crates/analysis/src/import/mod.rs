@@ -6,6 +6,7 @@ mod clock;
 mod counters;
 mod date;
 mod decode;
+mod doubts;
 mod first;
 mod format;
 mod head;
@@ -254,15 +255,15 @@ impl<'a> Importer<'a> {
         let counters = counters::unwrap(&mut rows, &heads);
         let sections = sections::read(&mut rows, &heads, format.delimiter);
         if sections.len() == 1 {
-            refuse_double_commas(&heads, &rows, &format, clocks.len())?;
+            doubts::commas(&heads, &rows, &format, clocks.len())?;
         }
         sections::convert(&sections, &mut rows);
         findings.extend(sections::finding(&sections, &heads));
         let sections = sections::join(sections, &mut rows, &mut heads);
         rows.refuse_words(first.line)?;
-        refuse_unread_times(&heads, &rows)?;
-        refuse_dates(&clocks, &heads, first.line + 1)?;
-        rows.refuse_unread(&heads)?;
+        doubts::times(&heads, &rows)?;
+        doubts::dates(&clocks, &heads, first.line + 1)?;
+        doubts::unread(&rows, &heads)?;
         let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
         let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
@@ -417,55 +418,4 @@ fn clock_finding(clock: &ClockColumn, column: String) -> Finding {
 fn runs_finding(table: &Table) -> Option<Finding> {
     let runs: Vec<String> = table.runs().into_iter().map(|(name, _)| name).collect();
     (runs.len() > 1).then_some(Finding::Runs(runs))
-}
-
-/// Refuses a column named as a time that holds only words: otherwise the next column would be taken for the time.
-fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
-    let mut unread = None;
-    let columns = heads.iter().zip(&rows.columns).enumerate();
-    for (index, (head, values)) in columns.filter(|(_, (head, _))| roles::is_time(&head.name)) {
-        if values.iter().any(|value| value.is_finite()) {
-            return Ok(());
-        }
-        unread = unread.or_else(|| rows.first_word(index).map(|(line, text)| (line, head.name.clone(), text)));
-    }
-    match unread {
-        Some((line, column, text)) => Err(ImportError::new(Some(line), Refusal::Times { column, text })),
-        None => Ok(()),
-    }
-}
-
-/// Refuses dates in which day and month cannot be told apart.
-fn refuse_dates(clocks: &[ClockColumn], heads: &[Head], line: usize) -> Result<(), ImportError> {
-    let Some(clock) = clocks.iter().find(|clock| clock.times.open) else { return Ok(()) };
-    let name = heads.get(clock.column).map_or("", |head| head.name.as_str());
-    Err(ImportError::new(Some(line), Refusal::Dates { column: called(name, clock.column) }))
-}
-
-/// Refuses more numbers than names between commas, if some commas may be decimal signs or separators of thousands.
-fn refuse_double_commas(heads: &[Head], rows: &Rows, format: &Format, clocks: usize) -> Result<(), ImportError> {
-    let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
-    let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
-    let unnamed = heads.iter().skip(names).all(|head| head.name.is_empty());
-    if format.delimiter != Delimiter::Comma || names < 2 || rows.columns.len() <= names || !unnamed {
-        return Ok(());
-    }
-    let columns = rows.columns.len();
-    // Decimal commas split at least one column, and each column at most once.
-    let split = columns - clocks <= 2 * (names - clocks.min(names)) && rows.columns.iter().all(whole);
-    let doubled = columns == 2 * names && split;
-    let beside_clock = clocks > 0 && split;
-    // Commas between thousands make some rows longer than the names: `1,600.00` beside `808.83`.
-    let last = rows.columns.last().map_or(0, |values| values.iter().filter(|value| value.is_finite()).count());
-    let ragged = last < rows.length && 10 * last > rows.length && rows.columns.iter().any(|values| !whole(values));
-    // Times with a decimal point beside decimal commas: `0.5,1,250`.
-    let [time, others @ ..] = rows.columns.as_slice() else { return Ok(()) };
-    let beside_time = !whole(time) && others.iter().all(whole) && others.len() <= 2 * (names - 1);
-    if doubled || beside_clock || beside_time || ragged {
-        return Err(ImportError::new(
-            Some(format.header_lines + 1),
-            Refusal::Commas { names, cells: rows.columns.len() },
-        ));
-    }
-    Ok(())
 }

@@ -12,8 +12,6 @@ use crate::run_name;
 
 /// Upper bound of the words, and of other cells by kind and column, that are listed individually.
 const TOLD: usize = 5;
-/// Least number of unread cells of a column, or of unread lines, for a refusal.
-const SEVERAL: usize = 3;
 /// Upper bound of the number of cells, or the size of the file in bytes if that is greater. Beyond it a longer row adds no
 /// columns; otherwise a small file could need any amount of memory.
 const CELLS: usize = 4_000_000;
@@ -33,13 +31,13 @@ pub(super) struct Rows {
     /// Number of cells that hold a number.
     numbers: usize,
     /// Other contents of the cells, by column.
-    others: Vec<Others>,
+    pub others: Vec<Others>,
     /// The first of these cells in each column.
     listed: Vec<Listed>,
     /// Lines that hold only words: line of the first, and their number.
-    word_lines: Option<(usize, usize)>,
+    pub word_lines: Option<(usize, usize)>,
     /// Number of these lines whose words all begin with a digit.
-    unread_lines: usize,
+    pub unread_lines: usize,
     /// Rows before which a line of the header is repeated.
     pub repeats: Vec<usize>,
     /// Names of the runs that begin at the first row and at `repeats`; empty if they have none.
@@ -250,26 +248,6 @@ impl Rows {
         if let Some(mine) = self.others.get_mut(column) {
             mine.notation.get_or_insert_with(|| (line, excerpt(text), value));
         }
-    }
-
-    /// Refuses columns of numbers in which more than a tenth of the cells hold digits and no number.
-    pub fn refuse_unread(&self, heads: &[head::Head]) -> Result<(), ImportError> {
-        if 10 * self.unread_lines > self.length && self.unread_lines >= SEVERAL {
-            let line = self.word_lines.map(|(line, _)| line);
-            return Err(ImportError::new(line, Refusal::UnreadLines { count: self.unread_lines, rows: self.length }));
-        }
-        for (index, (values, others)) in self.columns.iter().zip(&self.others).enumerate() {
-            let numbers = values.iter().filter(|value| value.is_finite()).count();
-            let Some((line, text)) = others.first_digits.clone() else { continue };
-            let cells = numbers + others.words;
-            if numbers < SEVERAL || others.digits < SEVERAL || 10 * others.digits <= cells {
-                continue;
-            }
-            let name = heads.get(index).map_or("", |head| head.name.as_str());
-            let column = if name.is_empty() { (index + 1).to_string() } else { name.to_owned() };
-            return Err(ImportError::new(Some(line), Refusal::Unread { column, text, count: others.digits, cells }));
-        }
-        Ok(())
     }
 
     /// Contents of a column besides numbers.

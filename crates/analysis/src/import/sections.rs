@@ -50,7 +50,7 @@ pub(super) fn read(rows: &mut Rows, heads: &[Head], delimiter: Delimiter) -> Vec
     let lines = std::mem::take(&mut rows.between);
     let title = heads.first().and_then(|head| head.body.clone());
     let mut sections = vec![Section { start: 0, heads: heads.to_vec(), title, restarts: false, line: None }];
-    let clock = heads.iter().position(|head| is_clock(head)).unwrap_or(0);
+    let clock = heads.iter().position(is_clock).unwrap_or(0);
     for block in lines.chunk_by(|one, other| one.row == other.row) {
         let Some(first) = block.first().filter(|first| first.row < rows.length) else { continue };
         let end = lines.iter().map(|line| line.row).find(|row| *row > first.row).unwrap_or(rows.length);

@@ -198,7 +198,9 @@ impl Rows {
         let what = match other {
             Other::Word => {
                 mine.words += 1;
-                if text.contains(|letter: char| letter.is_ascii_digit()) {
+                // A code such as `7BC4` or `CH1` is no number that failed.
+                let is_code = text.bytes().all(|byte| byte.is_ascii_alphanumeric());
+                if !is_code && text.contains(|letter: char| letter.is_ascii_digit()) {
                     mine.digits += 1;
                     mine.first_digits.get_or_insert_with(|| (line, excerpt(text)));
                 }

@@ -31,7 +31,7 @@ pub(super) fn times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
 pub(super) fn dates(clocks: &[ClockColumn], heads: &[Head], line: usize) -> Result<(), ImportError> {
     let Some(clock) = clocks.iter().find(|clock| clock.times.open) else { return Ok(()) };
     let name = heads.get(clock.column).map_or("", |head| head.name.as_str());
-    Err(ImportError::new(Some(line), Refusal::Dates { column: super::called(name, clock.column) }))
+    Err(ImportError::new(Some(line), Refusal::Dates { column: called(name, clock.column) }))
 }
 
 /// Refuses more numbers than names between commas, if some commas may be decimal signs or separators of thousands.
@@ -80,4 +80,9 @@ pub(super) fn unread(rows: &Rows, heads: &[Head]) -> Result<(), ImportError> {
         return Err(ImportError::new(Some(line), Refusal::Unread { column, text, count: others.digits, cells }));
     }
     Ok(())
+}
+
+/// Name of a column, or its number in the file.
+pub(super) fn called(name: &str, index: usize) -> String {
+    if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }

@@ -1,6 +1,7 @@
 //! Import of delimited text as a table. Delimiter, decimal sign, header, units, clock times, bodies and independent
 //! variables are recognised automatically.
 
+mod between;
 mod cells;
 mod clock;
 mod counters;
@@ -39,6 +40,7 @@ use crate::origin::Origin;
 use crate::table::{Column, Table};
 use crate::{roles, scale_line};
 use clock::Form;
+use doubts::called;
 use first::First;
 use head::{Head, Meant};
 use number::Signs;
@@ -398,10 +400,6 @@ pub fn unit(text: &str) -> Option<Unit> {
 pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
     let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
     Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
-}
-
-fn called(name: &str, index: usize) -> String {
-    if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }
 
 fn clock_finding(clock: &ClockColumn, column: String) -> Finding {

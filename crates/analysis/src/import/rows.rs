@@ -1,12 +1,12 @@
 //! Rows: one pass over the bytes, with numbers stored directly in columns.
 
+use super::between::{self, Between};
 use super::cells::{COLUMNS, Cells, Delimiter};
 use super::format::Format;
 use super::head::{self, Below};
 use super::number::{self, Cell};
 use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
-use super::sections::{self, Between};
 use crate::finding::Finding;
 use crate::run_name;
 
@@ -100,7 +100,7 @@ impl Rows {
                 match self.any(line, number, format, &mut row) {
                     Some(found) => width = found,
                     None => {
-                        sections::keep(&mut self.between, self.length, number, line);
+                        between::keep(&mut self.between, self.length, number, line);
                         if self.repeats.last() != Some(&self.length) && is_in(header, line) {
                             self.repeats.push(self.length);
                         }

@@ -31,7 +31,7 @@ pub struct Conversion {
 
 impl Conversion {
     /// Value in the unit of the column for the number of a cell.
-    pub(crate) fn value(self, number: f64) -> f64 {
+    pub fn value(self, number: f64) -> f64 {
         let number = scaled(number, self.tens);
         match self.reading {
             Some(UnitReading::Celsius) => rounded(number + 273.15),

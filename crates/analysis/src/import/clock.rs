@@ -102,7 +102,7 @@ pub(super) fn read(text: &str) -> Option<Reading> {
 /// must be less than half a turn apart. `stated` is the meaning of `12:30` given by the header.
 pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     let mut readings = readings.to_vec();
-    let settled = date::settle(&mut readings);
+    let settled = settle_order(&mut readings);
     let every = |form: Form| readings.iter().all(|reading| reading.form == form);
     let two = every(Form::Two);
     let as_hours = two && stated == Some(Form::Hours);
@@ -139,6 +139,60 @@ pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
         times.seconds.push(((now - first + added) * 1e9).round() / 1e9);
     }
     times
+}
+
+/// Gives all dates of a column the same order of day and month. Returns true if the month is first, `None` if the order
+/// does not matter or is stated.
+///
+/// A date that has only one order decides for all. Otherwise the order that makes the steps even does.
+///
+/// # Errors
+/// The dates contradict each other, or both orders are possible.
+fn settle_order(readings: &mut [Reading]) -> Result<Option<bool>, ()> {
+    let has = |wanted: Order| readings.iter().any(|reading| reading.order == wanted);
+    let open = |reading: &Reading| match reading.order {
+        Order::Open(other) => Some(other),
+        _ => None,
+    };
+    let month_first = match (has(Order::DayFirst), has(Order::MonthFirst)) {
+        (true, true) => return Err(()),
+        (true, false) => false,
+        (false, true) => true,
+        (false, false) => {
+            let Some(first) = readings.iter().find_map(open) else { return Ok(None) };
+            // One day throughout: its order changes no difference.
+            let same = |reading: &Reading| open(reading) == Some(first) && reading.days == readings[0].days;
+            if readings.iter().all(same) {
+                return Ok(None);
+            }
+            let day = |reading: &Reading| reading.days * DAY + reading.seconds;
+            let month = |reading: &Reading| day(reading) + open(reading).unwrap_or(0.0) * DAY;
+            let day_first = unevenness(readings.iter().map(day));
+            let month_first = unevenness(readings.iter().map(month));
+            match (4.0 * day_first <= month_first, 4.0 * month_first <= day_first) {
+                (true, false) => false,
+                (false, true) => true,
+                _ => return Err(()),
+            }
+        }
+    };
+    for reading in readings.iter_mut() {
+        if let Order::Open(other) = reading.order {
+            reading.days += if month_first { other } else { 0.0 };
+        }
+    }
+    Ok(Some(month_first))
+}
+
+/// Greatest step over the median of the steps; infinite if a step is negative.
+fn unevenness(values: impl Iterator<Item = f64>) -> f64 {
+    let values: Vec<f64> = values.collect();
+    let mut steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    match (steps.first(), steps.get(steps.len() / 2), steps.last()) {
+        (Some(least), Some(median), Some(greatest)) if *least >= 0.0 && *median > 0.0 => greatest / median,
+        _ => f64::INFINITY,
+    }
 }
 
 /// Time without a trailing `Z` or `+01:00`, and the offset of the zone in seconds; offsets are only read after a date.

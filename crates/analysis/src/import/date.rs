@@ -1,7 +1,5 @@
 //! Dates in cells, `2026-01-02`, `20/02/2024`, `Feb 20, 2024`, `20-Feb-24`, and the order of day and month.
 
-use super::clock::Reading;
-
 /// Seconds in a day.
 pub(super) const DAY: f64 = 86_400.0;
 
@@ -103,8 +101,8 @@ const MONTHS: [&[&str]; 12] = [
 fn month(word: &str) -> Option<i64> {
     let lower = word.to_lowercase();
     let known = (3..=10).contains(&lower.chars().count()) && lower.chars().all(char::is_alphabetic);
-    let begins = |names: &&[&str]| names.iter().any(|name| lower.starts_with(name));
-    MONTHS.iter().position(|names| known && begins(&names)).map(|place| place as i64 + 1)
+    let begins = |names: &[&str]| names.iter().any(|name| lower.starts_with(name));
+    MONTHS.iter().position(|names| known && begins(names)).map(|place| place as i64 + 1)
 }
 
 /// Next word of letters or digits after blanks and signs, and the rest.
@@ -134,61 +132,6 @@ fn named(text: &str) -> Option<(Date, &str)> {
         return None;
     }
     Some((stated(days(year(third)?, month, day)?), rest))
-}
-
-/// Gives all dates of a column the same order of day and month. Returns true if the month is first, `None` if the order
-/// does not matter or is stated.
-///
-/// A date that has only one order decides for all. Otherwise the order that makes the steps even does.
-///
-/// # Errors
-/// The dates contradict each other, or both orders are possible.
-pub(super) fn settle(readings: &mut [Reading]) -> Result<Option<bool>, ()> {
-    let has = |wanted: Order| readings.iter().any(|reading| reading.order == wanted);
-    let open = |reading: &Reading| match reading.order {
-        Order::Open(other) => Some(other),
-        _ => None,
-    };
-    let month_first = match (has(Order::DayFirst), has(Order::MonthFirst)) {
-        (true, true) => return Err(()),
-        (true, false) => false,
-        (false, true) => true,
-        (false, false) => {
-            let Some(first) = readings.iter().find_map(open) else { return Ok(None) };
-            // One day throughout: its order changes no difference.
-            if readings.iter().all(|reading| open(reading) == Some(first)) {
-                if readings.iter().all(|reading| reading.days == readings[0].days) {
-                    return Ok(None);
-                }
-            }
-            let day = |reading: &Reading| reading.days * DAY + reading.seconds;
-            let month = |reading: &Reading| day(reading) + open(reading).unwrap_or(0.0) * DAY;
-            let day_first = unevenness(readings.iter().map(day));
-            let month_first = unevenness(readings.iter().map(month));
-            match (4.0 * day_first <= month_first, 4.0 * month_first <= day_first) {
-                (true, false) => false,
-                (false, true) => true,
-                _ => return Err(()),
-            }
-        }
-    };
-    for reading in readings.iter_mut() {
-        if let Order::Open(other) = reading.order {
-            reading.days += if month_first { other } else { 0.0 };
-        }
-    }
-    Ok(Some(month_first))
-}
-
-/// Greatest step over the median of the steps; infinite if a step is negative.
-fn unevenness(values: impl Iterator<Item = f64>) -> f64 {
-    let values: Vec<f64> = values.collect();
-    let mut steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    steps.sort_by(f64::total_cmp);
-    match (steps.first(), steps.get(steps.len() / 2), steps.last()) {
-        (Some(least), Some(median), Some(greatest)) if *least >= 0.0 && *median > 0.0 => greatest / median,
-        _ => f64::INFINITY,
-    }
 }
 
 /// True if the date exists: no 31 February.

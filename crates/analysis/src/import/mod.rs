@@ -1,12 +1,13 @@
 //! Import of delimited text as a table. Delimiter, decimal sign, header, units, clock times, bodies and independent
 //! variables are recognised automatically.
 
+mod between;
 mod cells;
-mod checks;
 mod clock;
 mod date;
 mod decode;
 mod device;
+mod doubts;
 mod first;
 mod format;
 mod head;
@@ -45,8 +46,8 @@ use crate::finding::Finding;
 use crate::origin::Origin;
 use crate::table::{Column, Table};
 use crate::{roles, scale_line};
-use checks::{refuse_dates, refuse_double_commas, refuse_unread_times};
 use device::Device;
+use doubts::called;
 use first::First;
 use head::{Head, Meant};
 use json::Json;
@@ -306,15 +307,15 @@ impl<'a> Importer<'a> {
         let serial = serial_days::to_seconds(&mut rows, &mut heads);
         let sections = sections::read(&mut rows, &heads, format.delimiter);
         if sections.len() == 1 {
-            refuse_double_commas(&heads, &rows, &format, clocks.len())?;
+            doubts::commas(&heads, &rows, &format, clocks.len())?;
         }
         sections::convert(&sections, &mut rows);
         findings.extend(sections::finding(&sections, &heads));
         let sections = sections::join(sections, &mut rows, &mut heads);
         rows.refuse_words(first.line)?;
-        refuse_unread_times(&heads, &rows)?;
-        refuse_dates(&clocks, &heads, first.line + 1)?;
-        rows.refuse_unread(&heads)?;
+        doubts::times(&heads, &rows)?;
+        doubts::dates(&clocks, &heads, first.line + 1)?;
+        doubts::unread(&rows, &heads)?;
         let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
         let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
@@ -431,8 +432,4 @@ pub fn unit(text: &str) -> Option<Unit> {
 pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
     let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
     Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
-}
-
-fn called(name: &str, index: usize) -> String {
-    if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }

@@ -9,7 +9,7 @@ use super::number::{self, Signs};
 pub(super) struct Others {
     /// Number of words: neither a number, nor a time, nor a number with a unit.
     pub words: usize,
-    /// Number of words that hold a digit, and the first of them.
+    /// Number of words that hold a digit and are no codes, and line and text of the first.
     pub digits: usize,
     pub first_digits: Option<(usize, String)>,
     /// Line, text and value of the first number in an unusual notation.

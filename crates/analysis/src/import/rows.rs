@@ -1,19 +1,17 @@
 //! Rows: one pass over the bytes, with numbers stored directly in columns.
 
+use super::between::{self, Between};
 use super::cells::{COLUMNS, Cells, Delimiter};
 use super::format::Format;
 use super::head::{self, Below};
 use super::number::{self, Cell};
 use super::others::{Other, Others};
 use super::refusal::{ImportError, Refusal};
-use super::sections::{self, Between};
 use crate::finding::Finding;
 use crate::run_name;
 
 /// Upper bound of the words, and of other cells by kind and column, that are listed individually.
 const TOLD: usize = 5;
-/// Least number of unread cells of a column, or of unread lines, for a refusal.
-const SEVERAL: usize = 3;
 /// Upper bound of the number of cells, or the size of the file in bytes if that is greater. Beyond it a longer row adds no
 /// columns; otherwise a small file could need any amount of memory.
 const CELLS: usize = 4_000_000;
@@ -33,13 +31,13 @@ pub(super) struct Rows {
     /// Number of cells that hold a number.
     numbers: usize,
     /// Other contents of the cells, by column.
-    others: Vec<Others>,
+    pub others: Vec<Others>,
     /// The first of these cells in each column.
     listed: Vec<Listed>,
     /// Lines that hold only words: line of the first, and their number.
-    word_lines: Option<(usize, usize)>,
+    pub word_lines: Option<(usize, usize)>,
     /// Number of these lines whose words all begin with a digit.
-    unread_lines: usize,
+    pub unread_lines: usize,
     /// Rows before which a line of the header is repeated.
     pub repeats: Vec<usize>,
     /// Names of the runs that begin at the first row and at `repeats`; empty if they have none.
@@ -102,7 +100,7 @@ impl Rows {
                 match self.any(line, number, format, &mut row) {
                     Some(found) => width = found,
                     None => {
-                        sections::keep(&mut self.between, self.length, number, line);
+                        between::keep(&mut self.between, self.length, number, line);
                         if self.repeats.last() != Some(&self.length) && is_in(header, line) {
                             self.repeats.push(self.length);
                         }
@@ -200,7 +198,9 @@ impl Rows {
         let what = match other {
             Other::Word => {
                 mine.words += 1;
-                if text.contains(|letter: char| letter.is_ascii_digit()) {
+                // A code such as `7BC4` or `CH1` is no number that failed.
+                let is_code = text.bytes().all(|byte| byte.is_ascii_alphanumeric());
+                if !is_code && text.contains(|letter: char| letter.is_ascii_digit()) {
                     mine.digits += 1;
                     mine.first_digits.get_or_insert_with(|| (line, excerpt(text)));
                 }
@@ -250,26 +250,6 @@ impl Rows {
         if let Some(mine) = self.others.get_mut(column) {
             mine.notation.get_or_insert_with(|| (line, excerpt(text), value));
         }
-    }
-
-    /// Refuses columns of numbers in which more than a tenth of the cells hold digits and no number.
-    pub fn refuse_unread(&self, heads: &[head::Head]) -> Result<(), ImportError> {
-        if 10 * self.unread_lines > self.length && self.unread_lines >= SEVERAL {
-            let line = self.word_lines.map(|(line, _)| line);
-            return Err(ImportError::new(line, Refusal::UnreadLines { count: self.unread_lines, rows: self.length }));
-        }
-        for (index, (values, others)) in self.columns.iter().zip(&self.others).enumerate() {
-            let numbers = values.iter().filter(|value| value.is_finite()).count();
-            let Some((line, text)) = others.first_digits.clone() else { continue };
-            let cells = numbers + others.words;
-            if numbers < SEVERAL || others.digits < SEVERAL || 10 * others.digits <= cells {
-                continue;
-            }
-            let name = heads.get(index).map_or("", |head| head.name.as_str());
-            let column = if name.is_empty() { (index + 1).to_string() } else { name.to_owned() };
-            return Err(ImportError::new(Some(line), Refusal::Unread { column, text, count: others.digits, cells }));
-        }
-        Ok(())
     }
 
     /// Contents of a column besides numbers.

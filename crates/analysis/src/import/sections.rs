@@ -9,27 +9,6 @@ use crate::table::Column;
 use crate::{roles, run_name};
 use units::{Dimension, Unit};
 
-/// Greatest number of lines between the rows that are kept, and greatest length of one in bytes.
-const LINES: usize = 1000;
-const LONGEST: usize = 4000;
-
-/// Line between the rows that is not a row.
-#[derive(Debug)]
-pub(super) struct Between {
-    /// Number of rows above it.
-    row: usize,
-    /// Line of the file, from 1.
-    line: usize,
-    text: String,
-}
-
-/// Keeps a line between the rows, within the bounds.
-pub(super) fn keep(lines: &mut Vec<Between>, row: usize, line: usize, text: &str) {
-    if row > 0 && lines.len() < LINES && text.len() <= LONGEST && !text.trim().is_empty() {
-        lines.push(Between { row, line, text: text.to_owned() });
-    }
-}
-
 /// Rows below one header or title.
 #[derive(Debug)]
 pub(super) struct Section {
@@ -50,7 +29,7 @@ pub(super) fn read(rows: &mut Rows, heads: &[Head], delimiter: Delimiter) -> Vec
     let lines = std::mem::take(&mut rows.between);
     let title = heads.first().and_then(|head| head.body.clone());
     let mut sections = vec![Section { start: 0, heads: heads.to_vec(), title, restarts: false, line: None }];
-    let clock = heads.iter().position(|head| is_clock(head)).unwrap_or(0);
+    let clock = heads.iter().position(is_clock).unwrap_or(0);
     for block in lines.chunk_by(|one, other| one.row == other.row) {
         let Some(first) = block.first().filter(|first| first.row < rows.length) else { continue };
         let end = lines.iter().map(|line| line.row).find(|row| *row > first.row).unwrap_or(rows.length);

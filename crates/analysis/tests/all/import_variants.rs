@@ -29,7 +29,7 @@ fn times() -> Vec<f64> {
 }
 
 fn heights(shift: f64) -> Vec<f64> {
-    (0..ROWS).map(|row| ((0.7 * row as f64 + shift).cos() * 5000.0).round() / 1000.0).collect()
+    (0..ROWS).map(|row| (libm::cos(0.7 * row as f64 + shift) * 5000.0).round() / 1000.0).collect()
 }
 
 fn column(body: Option<&'static str>, name: &str, unit: &'static str, values: Vec<f64>) -> Expected {

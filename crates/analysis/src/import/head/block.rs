@@ -92,13 +92,13 @@ impl<'a> Row<'a> {
     /// True if this line has a long name for each symbol of the line of names just below it.
     fn spells(&self, rows: &[Self], names: usize) -> bool {
         let Some(symbols) = rows.iter().find(|row| row.line == names) else { return false };
-        let is_short = |cell: &&str| cell.chars().count() <= 3;
+        let is_short = |cell: &str| cell.chars().count() <= 3;
         let timed = |row: &Self| row.cells.iter().any(|cell| is_time(cell));
         self.own
             && self.fits
             && self.cells.len() == symbols.cells.len()
             && self.cells.iter().all(|cell| cell.chars().count() > 3)
-            && symbols.cells.iter().all(|cell| !cell.is_empty() && is_short(&cell))
+            && symbols.cells.iter().all(|cell| !cell.is_empty() && is_short(cell))
             && timed(self)
             && timed(symbols)
     }

@@ -88,7 +88,7 @@ pub(super) fn is_prose(line: &str, delimiter: Delimiter, columns: usize) -> bool
     let blanks = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank);
     let bracketed = labels.iter().any(|label| label.unit.is_some()) && line.contains(['[', '(', '/', '<', '{']);
     let timed = labels.iter().any(|label| is_time(&label.name));
-    if (bracketed || timed) && cells.len() <= columns && !cells.iter().any(|cell| is_number(&cell)) {
+    if (bracketed || timed) && cells.len() <= columns && !cells.iter().any(is_number) {
         return false;
     }
     // Other delimiters than blanks do not stand in a sentence by chance.

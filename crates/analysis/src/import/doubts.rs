@@ -1,6 +1,5 @@
-//! Refusals of a table whose reading would be wrong.
+//! Refusals of tables that were read, but hold something that may mean something else.
 
-use super::called;
 use super::cells::Delimiter;
 use super::format::Format;
 use super::head::Head;
@@ -9,8 +8,11 @@ use super::rows::Rows;
 use super::settle::ClockColumn;
 use crate::roles;
 
+/// Least number of unread cells of a column, or of unread lines, for a refusal.
+const SEVERAL: usize = 3;
+
 /// Refuses a column named as a time that holds only words: otherwise the next column would be taken for the time.
-pub(super) fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
+pub(super) fn times(heads: &[Head], rows: &Rows) -> Result<(), ImportError> {
     let mut unread = None;
     let columns = heads.iter().zip(&rows.columns).enumerate();
     for (index, (head, values)) in columns.filter(|(_, (head, _))| roles::is_time(&head.name)) {
@@ -26,19 +28,14 @@ pub(super) fn refuse_unread_times(heads: &[Head], rows: &Rows) -> Result<(), Imp
 }
 
 /// Refuses dates in which day and month cannot be told apart.
-pub(super) fn refuse_dates(clocks: &[ClockColumn], heads: &[Head], line: usize) -> Result<(), ImportError> {
+pub(super) fn dates(clocks: &[ClockColumn], heads: &[Head], line: usize) -> Result<(), ImportError> {
     let Some(clock) = clocks.iter().find(|clock| clock.times.open) else { return Ok(()) };
     let name = heads.get(clock.column).map_or("", |head| head.name.as_str());
     Err(ImportError::new(Some(line), Refusal::Dates { column: called(name, clock.column) }))
 }
 
 /// Refuses more numbers than names between commas, if some commas may be decimal signs or separators of thousands.
-pub(super) fn refuse_double_commas(
-    heads: &[Head],
-    rows: &Rows,
-    format: &Format,
-    clocks: usize,
-) -> Result<(), ImportError> {
+pub(super) fn commas(heads: &[Head], rows: &Rows, format: &Format, clocks: usize) -> Result<(), ImportError> {
     let names = heads.iter().take_while(|head| !head.name.is_empty()).count();
     let whole = |values: &Vec<f64>| values.iter().all(|value| value.is_nan() || value.fract() == 0.0);
     let unnamed = heads.iter().skip(names).all(|head| head.name.is_empty());
@@ -63,4 +60,29 @@ pub(super) fn refuse_double_commas(
         ));
     }
     Ok(())
+}
+
+/// Refuses columns of numbers in which more than a tenth of the cells hold digits and no number.
+pub(super) fn unread(rows: &Rows, heads: &[Head]) -> Result<(), ImportError> {
+    if 10 * rows.unread_lines > rows.length && rows.unread_lines >= SEVERAL {
+        let line = rows.word_lines.map(|(line, _)| line);
+        return Err(ImportError::new(line, Refusal::UnreadLines { count: rows.unread_lines, rows: rows.length }));
+    }
+    for (index, (values, others)) in rows.columns.iter().zip(&rows.others).enumerate() {
+        let numbers = values.iter().filter(|value| value.is_finite()).count();
+        let Some((line, text)) = others.first_digits.clone() else { continue };
+        let cells = numbers + others.words;
+        if numbers < SEVERAL || others.digits < SEVERAL || 10 * others.digits <= cells {
+            continue;
+        }
+        let name = heads.get(index).map_or("", |head| head.name.as_str());
+        let column = called(name, index);
+        return Err(ImportError::new(Some(line), Refusal::Unread { column, text, count: others.digits, cells }));
+    }
+    Ok(())
+}
+
+/// Name of a column, or its number in the file.
+pub(super) fn called(name: &str, index: usize) -> String {
+    if name.is_empty() { (index + 1).to_string() } else { name.to_owned() }
 }

@@ -3,8 +3,6 @@
 
 mod between;
 mod cells;
-mod clock;
-mod date;
 mod decode;
 mod device;
 mod doubts;
@@ -19,18 +17,15 @@ mod notation;
 mod notes;
 mod number;
 mod others;
-mod overflow;
 mod program;
 mod refusal;
 mod rows;
 mod runs;
 mod sections;
 mod separators;
-mod serial_days;
-mod settle;
 #[cfg(test)]
 mod slices;
-mod stamp;
+mod times;
 
 pub use cells::Delimiter;
 pub(crate) use cells::cells_of;
@@ -54,8 +49,9 @@ use json::Json;
 use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
 use rows::Rows;
-use stamp::Stamped;
 use std::borrow::Cow;
+use times::stamp::Stamped;
+use times::{clock, overflow, serial_days, settle, stamp};
 use units::Unit;
 
 /// Imported table, with notes on how it was read.

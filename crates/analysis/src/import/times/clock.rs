@@ -4,7 +4,7 @@ use super::date::{self, DAY, Order};
 
 /// Time or date in a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Reading {
+pub(in crate::import) struct Reading {
     /// Days since 1 January 1970, 0 without a date. Apart from the seconds, so that microseconds are not lost.
     pub days: f64,
     /// Seconds since midnight or since the full hour.
@@ -16,7 +16,7 @@ pub(super) struct Reading {
 
 /// Notation of a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(in crate::import) enum Form {
     /// Hours, minutes and seconds, without a date.
     Hours,
     /// Two numbers without a fraction, `12:30`: minutes and seconds, or hours and minutes.
@@ -31,7 +31,7 @@ pub(super) enum Form {
 
 /// Times in seconds from the first row, with notes for the user.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Times {
+pub(in crate::import) struct Times {
     pub seconds: Vec<f64>,
     /// Number of times the clock restarted at zero, at midnight or at the full hour.
     pub wrapped: usize,
@@ -44,7 +44,7 @@ pub(super) struct Times {
 }
 
 /// Reads a cell without surrounding blanks.
-pub(super) fn read(text: &str) -> Option<Reading> {
+pub(in crate::import) fn read(text: &str) -> Option<Reading> {
     // Quick exit: nearly all cells are numbers.
     let named = || text.len() > 8 && text.starts_with(char::is_alphabetic) && text.contains(' ');
     if text.len() < 3 || text.len() > 40 || !(text.starts_with(|first: char| first.is_ascii_digit()) || named()) {
@@ -100,7 +100,7 @@ pub(super) fn read(text: &str) -> Option<Reading> {
 
 /// Times in seconds from the first row. A clock without a date restarts at midnight or at the full hour; consecutive rows
 /// must be less than half a turn apart. `stated` is the meaning of `12:30` given by the header.
-pub(super) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
+pub(in crate::import) fn times(readings: &[Reading], stated: Option<Form>) -> Times {
     let mut readings = readings.to_vec();
     let settled = settle_order(&mut readings);
     let every = |form: Form| readings.iter().all(|reading| reading.form == form);

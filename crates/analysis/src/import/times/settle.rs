@@ -2,15 +2,15 @@
 
 use super::clock::{self, Form, Reading, Times};
 use super::date::Order;
-use super::head::{self, Head, Meant};
-use super::rows::Rows;
 use crate::finding::{Finding, Heading};
+use crate::import::head::{self, Head, Meant};
+use crate::import::rows::Rows;
 use crate::origin::UnitOrigin;
 use units::Unit;
 
 /// Column of clock times, and their notation.
 #[derive(Debug)]
-pub(super) struct ClockColumn {
+pub(in crate::import) struct ClockColumn {
     pub column: usize,
     /// Notation of the first time.
     pub form: Form,
@@ -19,7 +19,7 @@ pub(super) struct ClockColumn {
 
 /// Converts times and numbers with units to numbers, in columns that hold more of them than of plain numbers; elsewhere
 /// they count as words. The unit is that of the cells, not that of the header.
-pub(super) fn columns(rows: &mut Rows, heads: &mut [Head], findings: &mut Vec<Finding>) -> Vec<ClockColumn> {
+pub(in crate::import) fn columns(rows: &mut Rows, heads: &mut [Head], findings: &mut Vec<Finding>) -> Vec<ClockColumn> {
     let mut clocks = Vec::new();
     for (column, head) in heads.iter_mut().enumerate().take(rows.columns.len()) {
         let Some(others) = rows.others_mut(column) else { continue };

@@ -1,7 +1,7 @@
 //! Columns of serial days of spreadsheets.
 
-use super::head::Head;
-use super::rows::Rows;
+use crate::import::head::Head;
+use crate::import::rows::Rows;
 use crate::origin::UnitOrigin;
 use units::Unit;
 
@@ -16,7 +16,7 @@ fn is_date(name: &str) -> bool {
 }
 
 /// Converts serial days of a spreadsheet to seconds from the first row. Returns the columns.
-pub(super) fn to_seconds(rows: &mut Rows, heads: &mut [Head]) -> Vec<usize> {
+pub(in crate::import) fn to_seconds(rows: &mut Rows, heads: &mut [Head]) -> Vec<usize> {
     let mut found = Vec::new();
     for (column, (head, values)) in heads.iter_mut().zip(&mut rows.columns).enumerate() {
         let numbers = || values.iter().copied().filter(|value| value.is_finite());

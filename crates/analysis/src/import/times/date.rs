@@ -1,11 +1,11 @@
 //! Dates in cells, `2026-01-02`, `20/02/2024`, `Feb 20, 2024`, `20-Feb-24`, and the order of day and month.
 
 /// Seconds in a day.
-pub(super) const DAY: f64 = 86_400.0;
+pub(in crate::import) const DAY: f64 = 86_400.0;
 
 /// Order of day and month in a date, from its numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) enum Order {
+pub(in crate::import) enum Order {
     /// The notation states it, or there is no date.
     #[default]
     Stated,
@@ -19,13 +19,13 @@ pub(super) enum Order {
 
 /// Date, in days since 1 January 1970 (with the day first if the order is open), and the order of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Date {
+pub(in crate::import) struct Date {
     pub days: f64,
     pub order: Order,
 }
 
 /// Date at the beginning of a text, and the rest of the text.
-pub(super) fn read(text: &str) -> Option<(Date, &str)> {
+pub(in crate::import) fn read(text: &str) -> Option<(Date, &str)> {
     if text.starts_with(|first: char| first.is_ascii_digit()) {
         numeric(text).or_else(|| named(text))
     } else {

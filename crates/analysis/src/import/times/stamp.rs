@@ -1,7 +1,7 @@
 //! Time stamps that a serial monitor writes before each line: `12:00:00.050 -> 50,2.81`.
 
-use super::cells::Delimiter;
 use super::clock;
+use crate::import::cells::Delimiter;
 use crate::origin::UnitOrigin;
 use crate::table::Column;
 use units::Unit;
@@ -21,7 +21,7 @@ fn divided(line: &str) -> Option<(&str, &str)> {
 const SAMPLE: usize = 300;
 
 /// First lines without their stamps, if most of them have one.
-pub(super) fn without(text: &str) -> Option<String> {
+pub(in crate::import) fn without(text: &str) -> Option<String> {
     let first: Vec<&str> = text.lines().take(SAMPLE).filter(|line| !line.trim().is_empty()).take(20).collect();
     let stamped = first.iter().filter(|line| divided(line).is_some()).count();
     if 2 * stamped <= first.len() {
@@ -37,7 +37,7 @@ pub(super) fn without(text: &str) -> Option<String> {
 
 /// Text rewritten with the stamps in a first column.
 #[derive(Debug)]
-pub(super) struct Stamped {
+pub(in crate::import) struct Stamped {
     pub delimiter: Delimiter,
     pub columns: String,
 }
@@ -73,7 +73,7 @@ impl Stamped {
 
 /// Leaves out the stamps if the second column holds the same times, in s, ms or µs: these are the times of measurement, the
 /// stamps those of arrival. Returns the unit of these times.
-pub(super) fn prefer_own_times(columns: &mut Vec<Column>) -> Option<Unit> {
+pub(in crate::import) fn prefer_own_times(columns: &mut Vec<Column>) -> Option<Unit> {
     let stamps = columns.first().filter(|column| column.origin.unit == UnitOrigin::Clock)?.values.clone();
     let own = columns.get_mut(1)?;
     let rows = || stamps.iter().zip(&own.values).filter(|(stamp, own)| stamp.is_finite() && own.is_finite());

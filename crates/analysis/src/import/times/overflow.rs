@@ -15,7 +15,7 @@ const COUNTERS: [&str; 7] = ["micros", "millis", "ticks", "tick", "counter", "cl
 
 /// Overflow of a counter that was undone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Overflow {
+pub(in crate::import) struct Overflow {
     /// Index of the column.
     pub column: usize,
     /// Width of the counter in bits.
@@ -26,7 +26,7 @@ pub(super) struct Overflow {
 
 /// Undoes the overflows of clocks: after each fall the width is added, exactly. A fall is an overflow only if the step
 /// across it is then as long as the others; a clock that restarts is left alone.
-pub(super) fn undo(columns: &mut [Column]) -> Vec<Overflow> {
+pub(in crate::import) fn undo(columns: &mut [Column]) -> Vec<Overflow> {
     let mut undone = Vec::new();
     for (index, column) in columns.iter_mut().enumerate() {
         let name = column.name.to_lowercase();

@@ -254,8 +254,7 @@ impl Desk {
     /// Leaves the row of a measured value out of fits, or takes it back. `column`: number of its column among all that are
     /// drawn; `place`: index of the value, as in [`play::Points`].
     pub fn leave_out(&mut self, column: usize, place: usize) {
-        let independent = &self.play.model().independent.name;
-        if let Some((id, row)) = self.measured.row_of(&self.records, independent, column, place) {
+        if let Some((id, row)) = self.measured.row_of(&self.records, self.play.model(), column, place) {
             self.change_records(|records, _| records.exclude_or_include(id, row));
         }
     }

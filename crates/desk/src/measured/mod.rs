@@ -12,6 +12,7 @@ pub(crate) use curves::{axis, clock};
 use crate::records::Records;
 use data::{Measured, Outline, Residuals};
 use play::{Follows, PlotId};
+use program::Model;
 
 /// Measured columns beside the model. They are drawn into plots and the scene of the simulation, which the operations
 /// get passed.
@@ -52,15 +53,9 @@ impl MeasuredData {
 
     /// Record and row of a measured value: id of the record, index of the row in its table. `column`: number of the column
     /// among all that are drawn; `place`: index of the value.
-    pub(crate) fn row_of(
-        &self,
-        records: &Records,
-        independent: &str,
-        column: usize,
-        place: usize,
-    ) -> Option<(u32, usize)> {
+    pub(crate) fn row_of(&self, records: &Records, model: &Model, column: usize, place: usize) -> Option<(u32, usize)> {
         let measured = self.columns.get(column)?;
-        let row = records.get(measured.record)?.row_of(measured.column, independent, place)?;
+        let row = records.get(measured.record)?.row_of(measured.column, &model.independent.name, place)?;
         Some((measured.record, row))
     }
 

@@ -72,8 +72,7 @@ impl Problem {
     /// Checks and prepares a task.
     pub fn new(model: &Model, mut task: Task) -> Result<Self, FitError> {
         check::task(&task)?;
-        let (model, ties) = tied::replace(model, &mut task)?;
-        let model = &model;
+        let (ref model, ties) = tied::replace(model, &mut task)?;
         if model.is_random() {
             return Err(FitError::Model(words(
                 "a model that draws at random is not fitted: each seed gives another curve",

@@ -14,6 +14,9 @@ parameter b = 2 [1/s]
 half = ln(2)/b
 y = A*exp(-a*t) + B*exp(-b*t)
 ";
+/// Tied parameters, each with its expressions.
+type Ties = &'static [(&'static str, &'static [&'static str])];
+
 /// A swinging column whose length has a factor.
 const COLUMN: &str = "
 parameter L = 0.2 [m] in 0.01..10
@@ -125,7 +128,7 @@ fn ties_that_make_no_sense_are_refused() {
     let times = [0.0, 0.5, 1.0, 1.5];
     let mut open = model(DECAYS);
     let place = |name: &str| parameter(&model(DECAYS), name);
-    let cases: [(&[(&str, &[&str])], FitError); 6] = [
+    let cases: [(Ties, FitError); 6] = [
         (&[("b", &["2*b"])], FitError::TiedInCircle(place("b"))),
         (&[("b", &["2*B/A*a"]), ("B", &["A*b/a"])], FitError::TiedInCircle(place("B"))),
         (&[("a", &["2*b"])], FitError::VariedTwice(1)),

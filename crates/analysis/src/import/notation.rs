@@ -1,5 +1,7 @@
 //! Unusual notations of numbers: `- 0.15`, `(0.15)`, `0.15-`, `3.13(4)`, `3.13±0.04`, `1.2×10⁻¹`, `4.19k`, `="3.1"`.
 
+use super::head::superscript;
+
 /// Number in an unusual notation, whose parts are read by `plain`; `None` for other texts.
 ///
 /// Parentheses around a number and a minus sign behind it are the negative signs of accounting. Parentheses behind a number
@@ -60,22 +62,9 @@ fn power(text: &str, plain: impl Fn(&str) -> Option<f64>) -> Option<f64> {
     let (mantissa, rest) = ['×', '·', '*', 'x'].iter().find_map(|sign| text.split_once(*sign))?;
     let exponent = rest.trim_start().strip_prefix("10")?;
     let exponent = exponent.strip_prefix("**").or_else(|| exponent.strip_prefix('^')).unwrap_or(exponent);
-    let exponent: String = exponent.trim_matches(['{', '}', ' ']).chars().map(lowered).collect();
+    let exponent: String =
+        exponent.trim_matches(['{', '}', ' ']).chars().map(|letter| superscript(letter).unwrap_or(letter)).collect();
     let digits = exponent.trim_start_matches(['-', '+']);
     let is_whole = !digits.is_empty() && digits.len() <= 3 && digits.bytes().all(|byte| byte.is_ascii_digit());
     is_whole.then(|| plain(&format!("{}e{exponent}", mantissa.trim()))).flatten()
-}
-
-/// ASCII character of a superscript.
-fn lowered(letter: char) -> char {
-    match letter {
-        '⁻' => '-',
-        '⁺' => '+',
-        '⁰' => '0',
-        '¹' => '1',
-        '²' => '2',
-        '³' => '3',
-        '⁴'..='⁹' => char::from_digit(letter as u32 - '⁰' as u32, 10).unwrap_or(letter),
-        _ => letter,
-    }
 }

@@ -65,15 +65,11 @@ impl Record {
         // A unit stated by the user for the values also holds for their errors.
         let same = beside.unit == own.unit || beside.unit.is_none();
         let unit = if same { &used.meaning.unit } else { beside.unit.as_ref()? };
-        let times = &self.table.columns.get(self.clock_of(uses, column, independent)?)?.values;
-        let rows = times.iter().zip(&own.values).zip(&beside.values);
-        let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
-        let mut rows: Vec<(f64, f64)> =
-            rows.map(|((time, _), error)| (*time, unit.to_si_of(*error, &used.meaning.unit))).collect();
-        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let order = self.order_of(uses, column, independent)?;
+        let errors = order.into_iter().filter_map(|row| beside.values.get(row));
         let usable = |error: f64| if error > 0.0 && error.is_finite() { error } else { f64::NAN };
         let same = unit.dimension == used.meaning.unit.dimension;
-        same.then(|| rows.into_iter().map(|(_, error)| usable(error)).collect())
+        same.then(|| errors.map(|error| usable(unit.to_si_of(*error, &used.meaning.unit))).collect())
     }
 
     /// One entry per value of [`Record::series_as`]: true if its row is among `rows`.
@@ -84,26 +80,26 @@ impl Record {
         independent: &str,
         rows: impl IntoIterator<Item = &'a usize>,
     ) -> Option<Vec<bool>> {
-        let own = self.table.columns.get(column)?;
-        let times = &self.table.columns.get(self.clock_of(uses, column, independent)?)?.values;
-        let mut marks = vec![false; own.values.len()];
+        let mut marks = vec![false; self.table.columns.get(column)?.values.len()];
         rows.into_iter().for_each(|row| marks.iter_mut().skip(*row).take(1).for_each(|mark| *mark = true));
-        let rows = times.iter().zip(&own.values).zip(marks);
-        let rows = rows.filter(|((time, value), _)| time.is_finite() && value.is_finite());
-        let mut rows: Vec<(f64, bool)> = rows.map(|((time, _), mark)| (*time, mark)).collect();
-        rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-        Some(rows.into_iter().map(|(_, mark)| mark).collect())
+        let order = self.order_of(uses, column, independent)?;
+        Some(order.into_iter().filter_map(|row| marks.get(row).copied()).collect())
     }
 
     /// Row in the table of the value at this index of [`Record::series`].
     pub fn row_of(&self, column: usize, independent: &str, place: usize) -> Option<usize> {
+        self.order_of(&self.uses, column, independent)?.get(place).copied()
+    }
+
+    /// Rows in the table of the values of [`Record::series_as`], in their order.
+    fn order_of(&self, uses: &[Use], column: usize, independent: &str) -> Option<Vec<usize>> {
         let own = self.table.columns.get(column)?;
-        let times = &self.table.columns.get(self.clock_of(&self.uses, column, independent)?)?.values;
+        let times = &self.table.columns.get(self.clock_of(uses, column, independent)?)?.values;
         let rows = times.iter().zip(&own.values).enumerate();
         let rows = rows.filter(|(_, (time, value))| time.is_finite() && value.is_finite());
         let mut rows: Vec<(f64, usize)> = rows.map(|(row, (time, _))| (*time, row)).collect();
         rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-        rows.get(place).map(|(_, row)| *row)
+        Some(rows.into_iter().map(|(_, row)| row).collect())
     }
 
     /// Index of the column with the times of a column. One that the user has set as the time has priority over the one that

@@ -13,7 +13,7 @@ pub(super) struct Setting<'a> {
     pub unit: &'a Unit,
 }
 
-/// What an author meant by a text that is not in the form `NUMBER [UNIT]`.
+/// Probable meaning of a text that is not in the form `NUMBER [UNIT]`.
 struct Meant {
     number: f64,
     /// Unit; empty for that of the setting.

@@ -116,7 +116,7 @@ fn the_dashboard_answers_to_this_computer_only_unless_encrypted() {
     let behind = |proxy: &str| Place { is_encrypted: true, proxy: Some(proxy.parse().unwrap()), ..place() };
     assert_eq!(proxied(behind("127.0.0.1"), "b"), 200);
     assert_eq!(proxied(behind("::1"), "d"), 200);
-    // Nobody comes past the proxy, whatever the request says of itself.
+    // No request comes past the proxy, whatever it says of itself.
     assert_eq!(proxied(behind("192.0.2.80"), "e"), 403);
     // A connection from another address of this machine.
     let Some(own) = own_address() else { return assert!(std::net::UdpSocket::bind("127.0.0.1:0").is_ok()) };

@@ -54,7 +54,7 @@ pub enum NotRead {
 }
 
 impl NotRead {
-    /// What was not understood, and what to write.
+    /// Message that names the text that was refused and a text that would be read.
     pub fn words(&self) -> Words {
         match self {
             Self::Empty => words("Type a number."),

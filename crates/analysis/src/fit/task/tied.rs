@@ -3,6 +3,7 @@
 use super::{FitError, Record, Target, Task, TiedParameter};
 use engine::Readings;
 use program::{Binary, Choices, Compiled, Kind, Model, Node, NodeId, Parameter, Quantity};
+use std::borrow::Cow;
 use units::Unit;
 
 /// Values of the tied parameters in terms of the free ones.
@@ -41,7 +42,10 @@ impl Ties {
 ///
 /// # Errors
 /// A parameter is varied and tied, tied twice, tied to itself by way of others, or not tied to parameters alone.
-pub(in crate::fit) fn replace(model: &Model, task: &mut Task) -> Result<(Model, Ties), FitError> {
+pub(in crate::fit) fn replace<'a>(model: &'a Model, task: &mut Task) -> Result<(Cow<'a, Model>, Ties), FitError> {
+    if task.tied.is_empty() {
+        return Ok((Cow::Borrowed(model), Ties::default()));
+    }
     let mut model = model.clone();
     check(&model, task)?;
     let parameters = model.parameters.len();
@@ -82,7 +86,7 @@ pub(in crate::fit) fn replace(model: &Model, task: &mut Task) -> Result<(Model, 
         let value = Compiled { node, kind: Kind::Number, unit };
         model.quantities.push(Quantity { name, label, value, varies: false, hidden, remembered: false });
     }
-    Ok((model, Ties { values: tied.into_iter().zip(free).collect(), parameters }))
+    Ok((Cow::Owned(model), Ties { values: tied.into_iter().zip(free).collect(), parameters }))
 }
 
 fn check(model: &Model, task: &Task) -> Result<(), FitError> {

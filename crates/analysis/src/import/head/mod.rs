@@ -26,6 +26,7 @@ use cells_of::{bare_unit, split};
 use column::head;
 use label::Label;
 use power::Sense;
+pub(super) use power::superscript;
 use units::Dimension;
 
 /// True if a text after a number is a unit.

@@ -243,6 +243,11 @@ fn ends_number(rest: &str) -> bool {
     !rest.starts_with(|next: char| next.is_alphanumeric() || matches!(next, '.' | ','))
 }
 
+/// Digit or sign of a superscript: `2` for `²`; `None` for other characters.
+pub(in crate::import) fn superscript(character: char) -> Option<char> {
+    if character == '⁺' { Some('+') } else { units::raised(character) }
+}
+
 /// Reads `^3`, `^{-3}`, `**3`, `⁻³`: length in bytes and exponent.
 fn raised(text: &str) -> Option<(usize, i32)> {
     let sign = text.trim_start();
@@ -255,20 +260,8 @@ fn raised(text: &str) -> Option<(usize, i32)> {
         let closed = inner.get(length..)?.bytes().take(brackets).take_while(|byte| matches!(byte, b'}' | b')')).count();
         return (closed == brackets).then_some((blanks + mark + brackets + length + closed, tens));
     }
-    let digit = |character: char| {
-        Some(match character {
-            '⁻' => '-',
-            '⁺' => '+',
-            '⁰' => '0',
-            '¹' => '1',
-            '²' => '2',
-            '³' => '3',
-            '⁴'..='⁹' => char::from_digit(character as u32 - '⁰' as u32, 10)?,
-            _ => return None,
-        })
-    };
-    let plain: String = text.chars().map_while(digit).collect();
-    let length = text.chars().map_while(|character| digit(character).map(|_| character.len_utf8())).sum();
+    let plain: String = text.chars().map_while(superscript).collect();
+    let length = text.chars().map_while(|character| superscript(character).map(|_| character.len_utf8())).sum();
     plain.parse().ok().map(|tens| (length, tens))
 }
 

@@ -193,6 +193,11 @@ impl Surfaces {
         &self.before
     }
 
+    /// True if both states around the crossing found last are finite.
+    pub fn is_finite(&self) -> bool {
+        self.before.iter().chain(&self.beyond).all(|value| value.is_finite())
+    }
+
     /// State right after the crossing, without the actions of events: SI, one value per state.
     pub fn beyond(&self) -> &[f64] {
         &self.beyond

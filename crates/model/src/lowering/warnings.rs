@@ -3,7 +3,7 @@
 use crate::names::{Declarations, crossing, for_each};
 use crate::notation::quote;
 use crate::{Diagnostic, ExpressionKind, Places, Span, discrete_kinds, moments};
-use program::{Binary, Event, Model, Node, NodeId, Unary};
+use program::{Event, Model, Node, NodeId, Unary};
 use units::words;
 
 /// Adds the warnings about a model.
@@ -88,32 +88,6 @@ fn set_twice(model: &Model, events: &[(&Event, Span)], diagnostics: &mut Vec<Dia
     }
 }
 
-/// True if all rates of the model are the same on both sides of a sign where its argument is 0, as `sign(h)*sqrt(abs(h))` is, with
-/// the default values of the parameters.
-fn is_continuous(model: &Model, sign: NodeId) -> bool {
-    let mut graph = model.graph.clone();
-    let Node::Unary(_, x) = graph.node(sign) else { return false };
-    let opposite = match graph.node(x) {
-        Node::Binary(Binary::Subtract, a, b) => graph.find(Node::Binary(Binary::Subtract, b, a)),
-        _ => None,
-    };
-    let rates: Vec<NodeId> = model.states.iter().map(|state| state.derivative).collect();
-    let zero = graph.constant(0.0);
-    let [above, below] = [1.0, -1.0].map(|side| {
-        graph.rewrite(&rates, |graph, id, node| match node {
-            _ if id == sign => Some(graph.constant(side)),
-            _ if id == x || Some(id) == opposite => Some(zero),
-            Node::Parameter(number) => Some(graph.constant(model.parameters.get(number as usize)?.value)),
-            // Every other factor is taken to be finite.
-            Node::Binary(Binary::Multiply, a, b) => [a, b].contains(&zero).then_some(zero),
-            Node::Binary(Binary::Divide, a, _) => (a == zero).then_some(zero),
-            Node::Unary(Unary::Negate, a) => (a == zero).then_some(zero),
-            _ => None,
-        })
-    });
-    above == below
-}
-
 /// Warns of friction written with `sign`: near rest both signs drive the speed back to 0 (chattering).
 fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mut Vec<Diagnostic>) {
     let Some(held) = model.held(false) else { return };
@@ -123,8 +97,7 @@ fn friction_by_sign(model: &Model, declarations: &Declarations, diagnostics: &mu
         let rate = moving.rates_of(&[x]);
         moving.graph.reachable(&rate).contains(&node)
     };
-    let nodes: Vec<NodeId> = held.switches.iter().map(|switch| switch.node).filter(|&node| leads_back(node)).collect();
-    if nodes.into_iter().all(|node| is_continuous(model, node)) {
+    if !held.switches.iter().any(|switch| switch.jumps && leads_back(switch.node)) {
         return;
     }
     let equations = declarations.equations.iter().flat_map(|equation| [equation.left, equation.right]);

@@ -2,6 +2,7 @@
 
 mod assigned;
 mod compared;
+mod continuity;
 mod drawings;
 mod drawn;
 mod lookup;

@@ -26,12 +26,11 @@ impl Model {
         for event in &mut extended.events {
             event.jump = Some(Jump { delays: Vec::new(), sensitivities: Vec::new() });
         }
-        let jumps = self.find_switches().into_iter().filter(|switch| switch.jumps);
-        extended.sensitive = Some(Sensitive {
-            states: self.states.len(),
-            parameters: parameters.len(),
-            delays: jumps.map(|switch| (switch.node, Vec::new())).collect(),
-        });
+        let sensitive = Sensitive { states: self.states.len(), parameters: parameters.len(), delays: Vec::new() };
+        extended.sensitive = Some(sensitive.clone());
+        let jumps = extended.find_switches().into_iter().filter(|switch| switch.jumps);
+        let delays = jumps.map(|switch| (switch.node, Vec::new())).collect();
+        extended.sensitive = Some(Sensitive { delays, ..sensitive });
         let inputs = self.inputs();
         for (position, &parameter) in parameters.iter().enumerate() {
             let moved = self.moved_by(parameter as u32, &inputs);

@@ -5,6 +5,7 @@
 //! and the step ends where the true value changes (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I,
 //! section II.6; Cellier & Kofman, Continuous System Simulation, chapter 9).
 
+use super::continuity::is_continuous;
 use crate::{Binary, Graph, Model, Node, NodeId, Unary, Variable, differentiate};
 use std::collections::HashMap;
 
@@ -31,6 +32,8 @@ pub struct Switch {
     pub node: NodeId,
     /// True if the rates jump; false if only their slope does.
     pub jumps: bool,
+    /// True if the rates jump or their slope may be infinite.
+    pub is_sharp: bool,
 }
 
 /// A switch, in the equations or in the condition of an event, that depends only on the independent variable, on
@@ -49,14 +52,14 @@ pub struct Timed {
 }
 
 impl Model {
-    /// The model with its switches held; `None` if it has none. Bends (jumps of the slope only) are held if `bends` is
+    /// The model with its switches held; `None` if it has none. Bends (jumps of a finite slope only) are held if `bends` is
     /// true.
     ///
     /// A corner multiplied by a factor that vanishes there, as in `v*abs(v)`, has a continuous slope and is no switch.
     /// Values that depend only on parameters and on states that only events change are no switches either.
     pub fn held(&self, bends: bool) -> Option<Held> {
         let mut found = self.find_switches();
-        found.retain(|switch| switch.jumps || bends);
+        found.retain(|switch| switch.is_sharp || bends);
         if found.is_empty() {
             return None;
         }
@@ -110,7 +113,8 @@ impl Model {
     }
 
     /// The switches of the rates, in the order of the graph. Rates of sensitivities are not searched: they jump already
-    /// where the rates of their states bend.
+    /// where the rates of their states bend. Where the slope of a rate may be infinite they have no value, so that a model with
+    /// sensitivities is held there as at a jump.
     pub(super) fn find_switches(&self) -> Vec<Switch> {
         let graph = &self.graph;
         let own = self.sensitive.as_ref().map_or(self.states.len(), |sensitive| sensitive.states);
@@ -121,13 +125,19 @@ impl Model {
             return Vec::new();
         }
         let moving = self.moving(&nodes);
+        let mut judged = graph.clone();
         let switch = |node: NodeId| {
             let motion = moving[&node];
             if motion == Motion::AtRest {
                 return None;
             }
-            let order = if candidates.len() > MOST_JUDGED { 0 } else { smoothness(graph, &nodes, &rates, node)? };
-            (order < 2).then_some(Switch { node, jumps: order == 0 })
+            if candidates.len() > MOST_JUDGED {
+                return Some(Switch { node, jumps: true, is_sharp: true });
+            }
+            let order = smoothness(graph, &nodes, &rates, node)?;
+            let is_sharp = order == 0;
+            let jumps = is_sharp && (self.sensitive.is_some() || !is_continuous(&mut judged, &rates, node));
+            (order < 2).then_some(Switch { node, jumps, is_sharp })
         };
         candidates.iter().copied().filter_map(switch).collect()
     }

@@ -176,7 +176,12 @@ impl Stepper {
         let expected = self.surfaces.timetable.next(self.time, target, &self.state);
         let end = expected.map_or(target, |expected| expected.high);
         let size = if self.on_grid && expected.is_none() { self.step } else { end - self.time };
-        if self.try_fixed(size) { Ok(self.arrive(end, size, expected)) } else { self.shortened(size, end) }
+        if self.try_fixed(size)
+            && let Some(early) = self.arrive(end, size, expected)
+        {
+            return Ok(early);
+        }
+        self.shortened(size, end)
     }
 
     /// Computes the next state by a step of a fixed-step method of `size`, SI units. True if it is finite.
@@ -186,9 +191,10 @@ impl Stepper {
         self.next.iter().all(|value| value.is_finite())
     }
 
-    /// Moves to the next state, at `end` after a step of `size` (SI) of a fixed-step method, or to an earlier event or switch.
-    pub(super) fn arrive(&mut self, end: f64, size: f64, expected: Option<Crossing>) -> Option<Early> {
-        let Solver::Fixed(method) = &mut self.solver else { return None };
+    /// Moves to the next state, at `end` after a step of `size` (SI) of a fixed-step method, or to an earlier event or switch. Returns
+    /// `None` and stays if a step to that event or switch has no value, although one of `size` has.
+    pub(super) fn arrive(&mut self, end: f64, size: f64, expected: Option<Crossing>) -> Option<Option<Early>> {
+        let Solver::Fixed(method) = &mut self.solver else { return Some(None) };
         let (equations, time) = (&mut self.equations, self.time);
         if !self.surfaces.is_empty() {
             let (from, to) = ((time, self.state.as_slice()), (end, self.next.as_slice()));
@@ -198,14 +204,14 @@ impl Stepper {
                 let expected = expected.filter(|_| happened.is_none());
                 let (high, end) = happened.map_or((size, end), |since| (since, time + since));
                 let crossing = self.surfaces.locate(time, (low, high), expected, state_at);
-                return Some(Early::new(crossing, time, high, end));
+                return self.surfaces.is_finite().then(|| Some(Early::new(crossing, time, high, end)));
             }
             self.surfaces.events.pass();
         }
         std::mem::swap(&mut self.state, &mut self.next);
         self.time = end;
         self.on_grid = false;
-        None
+        Some(None)
     }
 
     /// Advances to `target` or to the end of the step of the method, whichever is first, or to an earlier event or switch.

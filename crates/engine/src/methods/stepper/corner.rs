@@ -41,7 +41,9 @@ impl Stepper {
                 if self.row.shortened.is_multiple_of(Self::OFTEN) && self.is_too_short(size) {
                     break;
                 }
-                return Ok(self.arrive(self.time + size, size, None));
+                if let Some(early) = self.arrive(self.time + size, size, None) {
+                    return Ok(early);
+                }
             }
         }
         self.cross(size, end, true).ok_or_else(|| self.error(cause))

@@ -1,8 +1,9 @@
-// The page may ask the addresses of its launch, and no others.
-const asked = ["endpoint", "fetch"].map((name) => {
+// The page may ask the addresses of its launch, and no others. A path that ends in a slash, as that of the store, allows all below it.
+const asked = [["endpoint", "/"], ["fetch", ""]].map(([name, end]) => {
   try {
     const { protocol, origin, pathname } = new URL(new URLSearchParams(location.search).get(name));
-    return /^https?:$/.test(protocol) ? origin + pathname.replace(/[;,]/g, encodeURIComponent) : "";
+    const path = end ? pathname.replace(/\/?$/, end) : pathname;
+    return /^https?:$/.test(protocol) ? origin + path.replace(/[;,]/g, encodeURIComponent) : "";
   } catch {
     return "";
   }

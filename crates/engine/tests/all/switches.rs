@@ -155,6 +155,32 @@ fn a_corner_of_continuous_slope_is_none() {
     }
 }
 
+/// Rates that are continuous have no jump that could be skipped, however they are written.
+#[test]
+fn jumps_are_told_from_continuous_branches() {
+    let cases = [
+        ("if x > 0 then -9*x else -4*x", false),
+        ("if x > 0 then sqrt(x) else 0", false),
+        ("if x > c then sqrt(x - c) else if x < c then -sqrt(c - x) else 0", false),
+        ("if 0 <= -x then 0 else x^1.5", false),
+        ("sign(x - y)*abs(x - y)^0.3", false),
+        ("-c*sign(x)*sqrt(abs(x))*(2 + sin(y))", false),
+        ("if x > 0 and y < 2 then x else 0", true),
+        ("if x > 0 then -9*x else 1", true),
+        ("if x > 0 then -9*x - c*y else 0", true),
+        ("-sign(y)", true),
+        ("y*sign(x)", true),
+        ("if x > c then sqrt(x) else 0", true),
+        ("if x > 0 then 1/sqrt(x) else 0", true),
+        ("floor(x)*x", true),
+    ];
+    for (rate, expected) in cases {
+        let text = format!("independent t\nparameter c = 0.5\nx' = {rate}\ny' = -x\nx(0) = 1\ny(0) = 0");
+        let switches = model(&text).held(true).expect(rate).switches;
+        assert_eq!(switches.iter().any(|switch| switch.jumps), expected, "{rate}");
+    }
+}
+
 #[test]
 fn a_run_goes_on_with_its_bits_after_a_switch() {
     let text = "parameter k = 4 [1/s^2]\nx'' = (if x > 0.1 [m] then -k*x else -9 [1/s^2]*x) + (if mod(t, 0.7 [s]) < 0.3 [s] \

@@ -306,7 +306,12 @@ impl Stepper {
         }
         self.on_grid = self.time == target;
         if self.row.switches > Self::SWITCH_LIMIT {
-            return Err(self.error(Cause::TooManySwitches(Self::SWITCH_LIMIT)));
+            // Rates that are continuous are stiff there: no motion leads to and fro.
+            let cause = match jumped {
+                Some(_) => Cause::TooManySwitches(Self::SWITCH_LIMIT),
+                None => Cause::TooManySteps(Self::SWITCH_LIMIT, self.method),
+            };
+            return Err(self.error(cause));
         }
         self.restart();
         Ok(())

@@ -70,3 +70,26 @@ pub fn others() -> Vec<Guarded> {
         model(0.0, "y'' = c + (if y <= 0 then 100*(-y)^1.5 else -1.5*y)\ny(0) = 0\ny'(0) = 0"),
     ]
 }
+
+/// Two tanks that level through a pipe, with the flow written with each guard, inflows that pass through 0 or end, and two widths of the
+/// pipe. Where the inflow is 0, the levels are equal up to rounding.
+pub fn tanks() -> Vec<String> {
+    let flows = [
+        "if a >= b then k*sqrt(a - b) else -k*sqrt(b - a)",
+        "if a > b then k*sqrt(a - b) else -k*sqrt(b - a)",
+        "k*sqrt(max(a - b, 0)) - k*sqrt(max(b - a, 0))",
+        "k*sign(a - b)*sqrt(abs(a - b))",
+    ];
+    let inflows = ["0", "0.02*sin(0.3*t)", "0.01*max(sin(0.3*t), 0)", "if t < 20 then 0.01 else 0"];
+    let mut found = Vec::new();
+    for flow in flows {
+        for inflow in inflows {
+            for width in ["0.03", "0.3"] {
+                found.push(format!(
+                    "independent t\nparameter k = {width}\nflow = {flow}\na' = {inflow} - flow\nb' = flow\na(0) = 1\nb(0) = 0.2"
+                ));
+            }
+        }
+    }
+    found
+}

@@ -6,7 +6,7 @@ in the declared units. Long work releases the lock of the interpreter and can be
 
 from ._core import BITS, __version__
 from .document import Document, check, open, rank
-from .errors import Diagnostic, DocumentError, MeniscusError, RunError, SettingError
+from .errors import Diagnostic, DocumentError, MeniscusError, MissingFileError, RunError, SettingError
 from .fit import Estimate, Fit
 from .table import Table
 
@@ -18,6 +18,7 @@ __all__ = [
     "Estimate",
     "Fit",
     "MeniscusError",
+    "MissingFileError",
     "RunError",
     "SettingError",
     "Table",
@@ -28,5 +29,5 @@ __all__ = [
 ]
 
 # Messages and pickles name the package, not its files.
-for _public in [Diagnostic, Document, DocumentError, Estimate, Fit, MeniscusError, RunError, SettingError, Table, check, open, rank]:
+for _public in [Diagnostic, Document, DocumentError, Estimate, Fit, MeniscusError, MissingFileError, RunError, SettingError, Table, check, open, rank]:
     _public.__module__ = __name__

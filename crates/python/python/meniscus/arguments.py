@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import operator
 import os
-from array import array
 from collections.abc import Mapping
 from typing import Any
+
+from .data import is_quantity, numbers, unit_text
+from .errors import SettingError
 
 
 def text(value: Any) -> str:
@@ -15,24 +17,20 @@ def text(value: Any) -> str:
         return value
     if isinstance(value, bool):
         return "on" if value else "off"
-    if _is_quantity(value):
-        return f"{float(value.magnitude)!r} {format(value.units, '~C').replace('**', '^')}"
+    if is_quantity(value):
+        return f"{float(value.magnitude)!r} {unit_text(value.units)}"
     try:
         return repr(float(value))
     except (TypeError, ValueError):
         raise ValueError(f"{value!r} is no number and no text") from None
 
 
-def _is_quantity(value: Any) -> bool:
-    return hasattr(value, "magnitude") and hasattr(value, "units")
-
-
 def are_several(value: Any) -> bool:
-    """True for a sequence of values, false for a number, a text or a quantity."""
-    if isinstance(value, str) or _is_quantity(value):
+    """True for a sequence of values, false for a number, a text or a single quantity."""
+    if isinstance(value, str):
         return False
     try:
-        len(value)
+        len(value.magnitude if is_quantity(value) else value)
     except TypeError:
         return False
     return True
@@ -58,15 +56,6 @@ def names(given: Any) -> list[str]:
     return [given] if isinstance(given, str) else list(given)
 
 
-def _bytes(values: Any) -> bytes:
-    """Numbers as bytes. Raises `TypeError` if they are none."""
-    if hasattr(values, "dtype"):
-        import numpy
-
-        return numpy.asarray(values, "f8").tobytes()
-    return array("d", values).tobytes()
-
-
 def axes(over: Any, arrays: list[bytes]) -> list[dict[str, Any]]:
     """Parameters of a sweep with their values. Arrays are added to those of the request."""
     if not isinstance(over, Mapping):
@@ -79,11 +68,24 @@ def _axis(name: str, values: Any, arrays: list[bytes]) -> dict[str, Any]:
         return {"range": (name, values)}
     if not are_several(values):
         return {"values": (name, [text(values)])}
-    try:
-        arrays.append(_bytes(values))
-    except TypeError:
-        return {"values": (name, [text(value) for value in values])}
+    # Switches, words and quantities.
+    if is_quantity(values) or any(isinstance(value, (str, bool)) or is_quantity(value) or _is_truth(value) for value in values):
+        return {"values": (name, [text(bool(value) if _is_truth(value) else value) for value in values])}
+    arrays.append(numbers(name, values))
     return {"numbers": (name, len(arrays) - 1)}
+
+
+def _is_truth(value: Any) -> bool:
+    """True for a truth value of numpy."""
+    return getattr(getattr(value, "dtype", None), "kind", None) == "b"
+
+
+def refuse_both(over: Any, stated: Mapping[str, Any]) -> None:
+    """Refuses a parameter that is both swept and set."""
+    swept = list(over) if isinstance(over, Mapping) else [one.split("=")[0].strip() for one in names(over)]
+    for name, _ in [*stated.get("parameters", []), *stated.get("set", [])]:
+        if name in swept:
+            raise SettingError(f"`{name}` is swept in `over` and set to one value, too: leave one out")
 
 
 def settings(until, set, start, preset, press, draw, method, step, tolerance, seat, parameters) -> dict[str, Any]:
@@ -141,21 +143,3 @@ def _range(given: Any) -> Any:
         return given
     low, high = given
     return [end if end is None else text(end) for end in (low, high)]
-
-
-def records(data: Any, arrays: list[bytes]) -> list[dict[str, Any]]:
-    """One record, or several. Arrays are added to those of the request."""
-    several = are_several(data) and not hasattr(data, "keys")
-    return [_record(one, arrays) for one in (data if several else [data])]
-
-
-def _record(data: Any, arrays: list[bytes]) -> dict[str, Any]:
-    if not hasattr(data, "keys"):
-        return {"file": os.fspath(data)}
-    units = getattr(data, "units", None)
-    columns = []
-    for name in data.keys():
-        unit = units.get(name) if isinstance(units, dict) else None
-        arrays.append(_bytes(data[name]))
-        columns.append((f"{name} [{unit}]" if unit else name, len(arrays) - 1))
-    return {"columns": columns}

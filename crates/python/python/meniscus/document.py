@@ -5,28 +5,31 @@ from __future__ import annotations
 import json
 import operator
 import os
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias
 
 from . import _core
-from .arguments import axes, fit_settings, names, records, settings, text
+from .arguments import axes, fit_settings, names, refuse_both, settings, text
+from .data import records
 from .errors import Diagnostic, answer, asked, diagnostics
 from .fit import Fit, fit
 from .table import Table, table
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-    from os import PathLike
-    from typing import Literal, SupportsFloat, TypeAlias
-
     from numpy.typing import ArrayLike
+else:
+    # Without numpy, in Pyodide, any sequence.
+    ArrayLike = Any
 
-    Value: TypeAlias = SupportsFloat | str | bool
-    """A number in the declared unit, a text with its own unit, a word of a choice, or the position of a switch."""
+Value: TypeAlias = SupportsFloat | str | bool
+"""A number in the declared unit, a text with its own unit, a word of a choice, or the position of a switch."""
 
-    Data: TypeAlias = str | PathLike[str] | Table | Mapping[str, ArrayLike]
-    """Measured data: a file, or columns by heading, such as ``"t [s]"``."""
+Data: TypeAlias = str | PathLike[str] | Table | Mapping[str, ArrayLike] | Any
+"""Measured data: a file, or columns: a dictionary by heading, such as ``"t [s]"``, a frame of pandas or polars, a dataset of xarray, a table
+of Arrow, or a structured array."""
 
-    Texts: TypeAlias = Sequence[tuple[str, str]]
+Texts: TypeAlias = Sequence[tuple[str, str]]
 
 _MOST_RESTORED = 8
 _restored: dict[tuple[tuple[str, str], ...], Document] = {}
@@ -57,7 +60,7 @@ class Document:
 
     def _open(self, source: dict[str, Any]) -> None:
         opened, reply = _core.open_document(json.dumps(source))
-        value = answer(reply)
+        value = answer(reply, _paths([source]))
         assert opened is not None
         self._opened = opened
         self._title = value["title"]
@@ -170,12 +173,10 @@ class Document:
         of a run that could not be computed are NaN; ``notices`` of the table says why.
         """
         arrays: list[bytes] = []
+        stated = settings(until, set, start, preset, press, draw, method, step, tolerance, seat, parameters)
+        refuse_both(over, stated)
         request: dict[str, Any] = {
-            "prepare": {
-                "over": axes(over, arrays),
-                "keep": names(keep),
-                "settings": settings(until, set, start, preset, press, draw, method, step, tolerance, seat, parameters),
-            },
+            "prepare": {"over": axes(over, arrays), "keep": names(keep), "settings": stated},
             "seed": operator.index(seed),
         }
         for name, samples in [("random", random), ("halton", halton)]:
@@ -218,12 +219,13 @@ class Document:
         intervals from the profile of chi-square.
         """
         arrays: list[bytes] = []
+        measured = records(data, observe, arrays)
         request = {
-            "data": records(data, arrays),
+            "data": measured,
             "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
             "profile": bool(profile),
         }
-        value, buffers = asked("fit", [self._opened], request, arrays)
+        value, buffers = asked("fit", [self._opened], request, arrays, _paths(measured))
         return fit(value, buffers)
 
 
@@ -240,7 +242,8 @@ def open(document: str | PathLike[str], *, translations: Sequence[str] = ()) -> 
 
 def check(document: str | PathLike[str], *, translations: Sequence[str] = ()) -> list[Diagnostic]:
     """All findings about a document, errors and warnings. The arguments are those of `open`."""
-    return diagnostics(asked("check", [], _source(document, translations))[0])
+    source = _source(document, translations)
+    return diagnostics(asked("check", [], source, paths=_paths([source]))[0])
 
 
 def _source(document: str | PathLike[str], translations: Sequence[str]) -> dict[str, Any]:
@@ -249,6 +252,11 @@ def _source(document: str | PathLike[str], translations: Sequence[str]) -> dict[
         return {"path": os.fspath(document)}
     numbered = [(f"translation {number}", text) for number, text in enumerate(translations, 1)]
     return {"texts": [("document", document), *numbered]}
+
+
+def _paths(sources: Sequence[dict[str, Any]]) -> list[str]:
+    """Files among documents and records."""
+    return [source[key] for source in sources for key in ("path", "file") if key in source]
 
 
 def rank(
@@ -278,10 +286,11 @@ def rank(
     fitted to what is before that time alone, and ``fit["rmse_predicted"]`` is the error of its prediction after it.
     """
     arrays: list[bytes] = []
+    measured = records(data, observe, arrays)
     request = {
-        "data": records(data, arrays),
+        "data": measured,
         "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
         "predict_from": None if predict_from is None else text(predict_from),
     }
-    value, buffers = asked("rank", [document._opened for document in documents], request, arrays)
+    value, buffers = asked("rank", [document._opened for document in documents], request, arrays, _paths(measured))
     return [fit(one, buffers) for one in value]

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, Literal
 
 from . import _core
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
-    from typing import Literal
 
 
 class Diagnostic:
@@ -68,6 +66,10 @@ class SettingError(MeniscusError):
     """An argument is wrong, or a file cannot be read."""
 
 
+class MissingFileError(SettingError, FileNotFoundError):
+    """There is no such file."""
+
+
 class RunError(MeniscusError):
     """A run cannot start or continue."""
 
@@ -82,22 +84,26 @@ _written = json.JSONEncoder(check_circular=False).encode
 _read = json.JSONDecoder().raw_decode
 
 
-def answer(reply: str) -> Any:
-    """The answer in a reply, or the exception that it stands for."""
+def answer(reply: str, paths: Iterable[str] = ()) -> Any:
+    """The answer in a reply, or the exception that it stands for. ``paths``: the files of the request."""
     value, _ = _read(reply)
     if isinstance(value, dict) and "error" in value:
         error, found = _EXCEPTIONS[value["error"]], diagnostics(value["diagnostics"])
         if not issubclass(error, MeniscusError):
             raise error(value["message"])
+        if error is SettingError and not all(map(os.path.exists, paths)):
+            error = MissingFileError
         # Warnings are among the diagnostics, not in the message.
         raise error("\n".join(one._described() for one in found if one.severity == "error"), found)
     return value
 
 
-def asked(name: str, documents: list[_core.Opened], request: object, numbers: Sequence[bytes] = ()) -> tuple[Any, Iterator[bytes]]:
-    """Answer of the compiled part, and the bytes of its arrays."""
+def asked(
+    name: str, documents: list[_core.Opened], request: object, numbers: Sequence[bytes] = (), paths: Iterable[str] = ()
+) -> tuple[Any, Iterator[bytes]]:
+    """Answer of the compiled part, and the bytes of its arrays. ``paths``: the files of the request."""
     reply, buffers = _core.call(name, documents, _written(request), numbers)
-    return answer(reply), iter(buffers)
+    return answer(reply, paths), iter(buffers)
 
 
 def diagnostics(found: Iterable[dict[str, Any]]) -> list[Diagnostic]:

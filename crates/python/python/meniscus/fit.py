@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+import html
 import math
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from typing import Any
 
 from .table import Table, filled
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 
 class Estimate:
@@ -80,6 +79,9 @@ class Fit:
 
     def __str__(self) -> str:
         return self._text
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(self._text)}</pre>"
 
     def __repr__(self) -> str:
         return f"<Fit of {self['title']}>"

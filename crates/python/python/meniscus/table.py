@@ -2,26 +2,38 @@
 
 from __future__ import annotations
 
+import csv
+import html
+import io
 import json
-from typing import TYPE_CHECKING, Any
+import os
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _core
 from .errors import Diagnostic, answer, diagnostics
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
     from numpy.typing import NDArray
 
-    Column = tuple[str, str, str, str, Any]
-    """Name, unit, label, kind (numbers, truths or texts), and values: bytes, or a list of texts."""
+    Array: TypeAlias = NDArray[Any]
+else:
+    # Without numpy, in Pyodide, a column is no array.
+    Array = Any
+
+Column: TypeAlias = tuple[str, str, str, str, Any]
+"""Name, unit, label, kind (numbers, truths or texts), and values: bytes, or a list of texts."""
+
+_SHOWN = 5
+"""Number of rows that a notebook shows of each end of a long table."""
 
 
 class Table:
     """Columns with names and units, as a run or a sweep gives them.
 
     ``table["y"]`` is a column as an array of numpy that cannot be written; ``len(table)`` is the number of rows, and ``dict(table)``
-    has all arrays. Arrays and Arrow share one memory. A number without a value is NaN, in Arrow null. Without numpy, in Pyodide, a
+    has all arrays. A notebook shows its first and last rows. ``numpy.asarray(table)`` is a structured array, ``pandas.DataFrame(dict(table))``
+    a frame without units. Arrays and Arrow share one memory. A number without a value is NaN, in Arrow null. Without numpy, in Pyodide, a
     column is a `memoryview` of its numbers, or a list of texts.
     """
 
@@ -57,7 +69,7 @@ class Table:
     def keys(self) -> list[str]:
         return self.columns
 
-    def __getitem__(self, name: str) -> NDArray[Any]:
+    def __getitem__(self, name: str) -> Array:
         for column in self._columns:
             if column[0] == name:
                 return _array(column)
@@ -65,7 +77,19 @@ class Table:
         hint = f"; did you mean `{near}`?" if near else ""
         raise KeyError(f"there is no column `{name}`{hint}")
 
-    def __contains__(self, name: str) -> bool:
+    def values(self) -> list[Array]:
+        return [_array(column) for column in self._columns]
+
+    def items(self) -> list[tuple[str, Array]]:
+        return list(zip(self.columns, self.values()))
+
+    def __eq__(self, other: object) -> bool:
+        """True if both have the same columns, units, labels and values, to the last bit."""
+        return isinstance(other, Table) and self._columns == other._columns
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __contains__(self, name: object) -> bool:
         return name in self.columns
 
     def __iter__(self) -> Iterator[str]:
@@ -79,6 +103,41 @@ class Table:
 
     def __repr__(self) -> str:
         return f"<Table of {len(self)} rows: {', '.join(map(_heading, self._columns))}>"
+
+    def _repr_html_(self) -> str:
+        rows = list(zip(*self.values()))
+        gap = [] if len(rows) <= 2 * _SHOWN else [["…"] * len(self._columns)]
+        shown = [*rows[:_SHOWN], *gap, *rows[-_SHOWN:]] if gap else rows
+        head = "".join(f"<th>{html.escape(_heading(column))}</th>" for column in self._columns)
+        body = "".join("<tr>" + "".join(f"<td>{html.escape(_shown(value))}</td>" for value in row) + "</tr>" for row in shown)
+        notes = "".join(f"<p>{html.escape(str(note))}</p>" for note in [*self.notices, *filter(None, [self.ended])])
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table><p>{len(rows)} rows</p>{notes}"
+
+    def to_csv(self, path: str | os.PathLike[str] | None = None) -> str | None:
+        """Writes a file with the headings ``y [m]``, all digits, and an empty cell without a value; without ``path`` its text is returned."""
+        if path is not None:
+            with open(path, "w", encoding="utf-8", newline="") as file:
+                self._write(file)
+            return None
+        text = io.StringIO(newline="")
+        self._write(text)
+        return text.getvalue()
+
+    def _write(self, file: Any) -> None:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(map(_heading, self._columns))
+        writer.writerows(map(_cell, row) for row in zip(*(values.tolist() if hasattr(values, "tolist") else values for values in self.values())))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
+        """Structured array with a field for each column."""
+        import numpy
+
+        arrays = self.values()
+        fields = [(name, values.dtype) for name, values in zip(self.columns, arrays)]
+        found = numpy.empty(len(self), fields)
+        for (name, _), values in zip(fields, arrays):
+            found[name] = values
+        return found if dtype is None else found.astype(dtype)
 
     def to_pandas(self, *, headings: bool = False) -> Any:
         """DataFrame of pandas, with ``attrs["units"]``; with ``headings`` its columns are called ``y [m]``."""
@@ -115,6 +174,17 @@ class Table:
 def _heading(column: Column) -> str:
     """Name and unit, ``y' [m/s]``; only the name without a unit."""
     return f"{column[0]} [{column[1]}]" if column[1] else column[0]
+
+
+def _cell(value: Any) -> Any:
+    """Value in a file: nothing for NaN, and truths as 0 and 1."""
+    if isinstance(value, bool):
+        return int(value)
+    return "" if value != value else value
+
+
+def _shown(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def _array(column: Column) -> Any:

@@ -7,6 +7,7 @@ import typing
 import numpy
 import pandas
 import pint
+import polars
 import pyarrow
 import pytest
 import xarray
@@ -94,7 +95,6 @@ def test_data_are_taken_with_their_units_and_gaps(damped, name):
 
 
 def test_polars_is_taken(damped):
-    polars = pytest.importorskip("polars", reason="polars is taken as every table of Arrow is")
     data = polars.DataFrame({"t [s]": T, "x [cm]": [*X[:5], None, *X[6:]]})
     assert damped.fit(data, "x").parameters["omega"].value == pytest.approx(12.0, rel=1e-5)
 

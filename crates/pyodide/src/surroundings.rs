@@ -73,6 +73,10 @@ impl requests::Host for Surroundings<'_> {
         self.python.player().unwrap_or_default()
     }
 
+    fn seconds(&self) -> f64 {
+        js_sys::Date::now() / 1000.0
+    }
+
     fn goes_on(&self) -> bool {
         match self.python.go_on() {
             Ok(()) => true,

@@ -7,6 +7,7 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 use std::sync::Mutex;
+use std::time::UNIX_EPOCH;
 
 /// The player without a simulation.
 #[cfg(page_inside)]
@@ -64,5 +65,9 @@ impl requests::Host for Surroundings {
             *ended = Some(signal);
         }
         goes_on
+    }
+
+    fn seconds(&self) -> f64 {
+        UNIX_EPOCH.elapsed().map_or(0.0, |since| since.as_secs_f64())
     }
 }

@@ -21,6 +21,9 @@ pub trait Host: Files {
     /// False if the work shall end. Asked several times a second.
     fn goes_on(&self) -> bool;
 
+    /// Reading of a clock, s, from any moment. It decides how often [`Host::goes_on`] is asked, and no result.
+    fn seconds(&self) -> f64;
+
     /// Compiles steps of runs; `None` if they are interpreted.
     fn compiler(&self) -> Option<&dyn engine::Compiler> {
         None

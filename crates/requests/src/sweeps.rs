@@ -15,8 +15,11 @@ use serde_json::value::RawValue;
 use std::sync::Arc;
 use units::words;
 
-/// Runs that are computed before the host is asked whether it goes on.
-const TOGETHER: u64 = 1 << 12;
+/// Numbers of runs that are computed before the host is asked whether it goes on, for each processor: at first, and at most.
+const FIRST: u64 = 64;
+const MOST: u64 = 1 << 11;
+/// Time that these runs may take, s: half of that is too short, more too long.
+const MOMENT: f64 = 0.1;
 
 /// A sweep that is asked for.
 #[derive(Deserialize)]
@@ -66,14 +69,20 @@ pub fn sweep(host: &dyn Host, opened: &Opened, request: &str, numbers: &[Vec<f64
     let sweep = Sweep::new(model, (setup, *until), &plan, (&kept.outcomes, &kept.code));
     let runs = plan.share(number - 1, of);
     let mut taken = Taken::starting_at(runs.start);
-    let mut next = runs.start;
+    let (mut next, mut each) = (runs.start, FIRST);
     while next < runs.end {
-        let part = next..runs.end.min(next + TOGETHER);
+        let part = next..runs.end.min(next + each * runner::threads() as u64);
         next = part.end;
+        let begun = host.seconds();
         taken.append(sweep.compute(part));
         if !host.goes_on() {
             return Err(Fault::Interrupted);
         }
+        each = match host.seconds() - begun {
+            long if long > MOMENT => (each / 2).max(Sweep::LEAST),
+            short if short < 0.5 * MOMENT => (2 * each).min(MOST),
+            _ => each,
+        };
     }
     let computed = runner::Table::of_runs(model, &plan, &kept.outcomes, &taken);
     table::reply(computed, missing(&taken, &opened.theory().sources, &kept), None)

@@ -34,6 +34,10 @@ impl Host for Alone {
         None
     }
 
+    fn seconds(&self) -> f64 {
+        0.0
+    }
+
     fn goes_on(&self) -> bool {
         self.0.set(self.0.get().saturating_sub(1));
         self.0.get() > 0

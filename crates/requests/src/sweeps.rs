@@ -15,7 +15,8 @@ use serde_json::value::RawValue;
 use std::sync::Arc;
 use units::words;
 
-/// Numbers of runs that are computed before the host is asked whether it goes on, for each processor: at first, and at most.
+/// Numbers of runs that are computed before the host is asked whether it goes on, for each processor: at first if they are short, and at
+/// most.
 const FIRST: u64 = 64;
 const MOST: u64 = 1 << 11;
 /// Time that these runs may take, s: half of that is too short, more too long.
@@ -69,7 +70,7 @@ pub fn sweep(host: &dyn Host, opened: &Opened, request: &str, numbers: &[Vec<f64
     let sweep = Sweep::new(model, (setup, *until), &plan, (&kept.outcomes, &kept.code));
     let runs = plan.share(number - 1, of);
     let mut taken = Taken::starting_at(runs.start);
-    let (mut next, mut each) = (runs.start, FIRST);
+    let (mut next, mut each) = (runs.start, if kept.code.is_short() { FIRST } else { Sweep::LEAST });
     while next < runs.end {
         let part = next..runs.end.min(next + each * runner::threads() as u64);
         next = part.end;

@@ -77,6 +77,13 @@ struct Prepared {
     axes: Vec<f64>,
 }
 
+impl Prepared {
+    /// True if runs were made, and needed little work.
+    fn is_short(&self) -> bool {
+        self.ensemble.as_ref().is_ok_and(|ensemble| (1..=SMALL).contains(&ensemble.work()))
+    }
+}
+
 impl Clone for SweepCode {
     fn clone(&self) -> Self {
         Self { prepared: self.prepared.clone(), nodes: self.nodes.clone(), spare: Mutex::default() }
@@ -100,6 +107,14 @@ impl SweepCode {
     /// Why the runs are computed one by one; `None` if they are computed side by side.
     pub fn no_lanes(&self) -> Option<&NoLanes> {
         self.prepared.ensemble.as_ref().err()
+    }
+
+    /// True if runs were made, and needed little work.
+    pub fn is_short(&self) -> bool {
+        let prepared = self.take();
+        let is_short = prepared.is_short();
+        self.give_back(prepared);
+        is_short
     }
 
     /// A copy of `prepared`, if possible one that has made runs.
@@ -168,7 +183,7 @@ impl<'a> Sweep<'a> {
             Ok(ensemble) => {
                 let lanes = ensemble.lanes() as u64;
                 let share = count.div_ceil(threads() as u64).next_multiple_of(Self::LEAST);
-                (share.clamp(Self::LEAST, lanes), count <= lanes && (1..=SMALL).contains(&ensemble.work()))
+                (share.clamp(Self::LEAST, lanes), count <= lanes && prepared.is_short())
             }
             Err(_) => (1, false),
         };

@@ -5,21 +5,24 @@ use crate::failure::Failure;
 use crate::load;
 use crate::page;
 use crate::terminal::Terminal;
+use class::grading;
 use document::page::POLICY;
+use program::{Program, Seat};
 use runner::Loaded;
 use server::class::{Class, Classes};
 use server::http::{Place, Server};
-use server::pages::{Document, Pages};
+use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::{Location, back_up, restore};
 use server::{Fault, Store, export, listen, now, qr};
 use std::future::Future;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::time::interval;
-use units::{Words, words};
+use units::{Language, Words, words};
 
 /// First port that is tried, and the number of ports.
 const PORT: u16 = 4250;
@@ -169,9 +172,24 @@ fn documents(arguments: &ServeClass, terminal: Terminal) -> Result<Vec<Document>
             return Err(Failure::about(path, &why));
         }
         let (title, has_seats) = (document.program.title.clone(), document.program.has_seats());
-        documents.push(Document { name, title, has_seats, html });
+        let grader = grader(document.program.clone(), terminal.language);
+        let source = |source: document::page::Source| Source { name: source.name, text: source.text };
+        let sources = loaded.sources.embedded().into_iter().map(source).collect();
+        documents.push(Document { name, title, has_seats, html, sources, grader });
     }
     Ok(documents)
+}
+
+/// Grades by a program, with the values of the seat of each student.
+fn grader(program: Program, language: Language) -> Grader {
+    let grading = Mutex::new(grading::Grader::new(program, language.tag()));
+    Grader::new(move |seat, question, item| {
+        // A fault in the grading of one answer leaves nothing half done.
+        let mut grading = grading.lock().unwrap_or_else(PoisonError::into_inner);
+        let answer = grading.answer(Seat::new(seat), question, item)?;
+        let typed = answer.attempts.last()?.typed.clone();
+        Some(Given { typed, is_right: answer.found })
+    })
 }
 
 /// True if a proxy in front of the server encrypts.

@@ -19,7 +19,7 @@ const verdict = (page) => page.locator("#verdict-0");
 const handed = async (page) => {
   const [handIn] = (await stored(page, lesson.base))["hand-ins"].map((text) => JSON.parse(text));
   const [item] = handIn.work.items.filter(({ item }) => item.item.answer?.attempts.length);
-  return { handIn, attempts: item.item.answer.attempts };
+  return { handIn, attempts: item.item.item.answer.attempts };
 };
 
 test("answers are graded with the seat's values and with those at the time, and devices of a seat lose nothing", async () => {

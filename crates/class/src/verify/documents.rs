@@ -51,9 +51,11 @@ impl DocumentDifference {
         }
         let count = self.lines.len();
         let mut text = vec![match self.with {
-            ComparedWith::Teacher => say!(language, "its document differs from the given one in {count} lines"),
+            ComparedWith::Teacher => {
+                say!(language, "its document differs from the given one; lines that differ: {count}")
+            }
             ComparedWith::Groups(groups) => {
-                say!(language, "its document differs in {count} lines from that of {groups} other hand-ins")
+                say!(language, "its document differs from that of {groups} other hand-ins; lines that differ: {count}")
             }
         }];
         text.extend(self.lines.iter().take(MOST_NAMED).map(|line| line.text(language)));

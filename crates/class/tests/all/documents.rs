@@ -56,7 +56,10 @@ fn a_changed_tolerance_or_word_is_named_and_counts_by_the_teachers_document() {
         let hand_ins = [handed("forged", &changed(from, to)), handed("honest", &lesson())];
         let class = computed(Some(References::given(vec![lesson()])), &hand_ins);
         let text = lines(&class, 0);
-        assert!(text.contains("its document differs from the given one in 1 lines") && text.contains(line), "{text}");
+        assert!(
+            text.contains("its document differs from the given one; lines that differ: 1") && text.contains(line),
+            "{text}"
+        );
         assert_eq!(class.entries()[1].document(), None);
         assert_eq!(class.questions().iter().map(|tally| tally.found.count).collect::<Vec<_>>(), [0, 0], "{from}");
         // Without the teacher's document it stands out among three.

@@ -1,10 +1,11 @@
 //! `meniscus class serve`, `backup`, `restore`, `erase`, `export`: the class server on this computer.
 
-use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, Restore, ServeClass, StorePlace};
+use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, ListClasses, Restore, ServeClass, StorePlace};
+use super::stored;
 use crate::failure::Failure;
 use crate::load;
 use crate::page;
-use crate::terminal::Terminal;
+use crate::terminal::{Terminal, output};
 use class::grading;
 use document::page::POLICY;
 use program::{Program, Seat};
@@ -56,6 +57,7 @@ pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
         }),
         ClassServer::Erase(arguments) => blocking(erase(arguments)),
         ClassServer::Export(arguments) => blocking(write_files(arguments, terminal)),
+        ClassServer::List(arguments) => blocking(list(arguments, terminal)),
     }
 }
 
@@ -86,8 +88,8 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
     let classes = store.classes().await.map_err(fails)?;
     match arguments.seat {
         Some(seat) => {
-            let class = classes.first().ok_or_else(|| fails(Fault::Missing))?;
-            store.erase_seat(class.class.clone(), seat).await.map_err(fails)?;
+            let class = stored::chosen(classes, arguments.class.as_deref(), fails)?;
+            store.erase_seat(class.class, seat).await.map_err(fails)?;
         }
         None => {
             for class in classes {
@@ -98,12 +100,24 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
     store.rewrite().await.map_err(fails)
 }
 
+async fn list(arguments: &ListClasses, terminal: Terminal) -> Result<(), Failure> {
+    let location = location(&arguments.place)?;
+    let fails = |fault| about(&location, &fault);
+    let store = Store::existing(&location).await.map_err(fails)?;
+    let mut lines = String::new();
+    for class in store.classes().await.map_err(fails)? {
+        lines += &stored::line(&store, &class, terminal.language).await.map_err(fails)?;
+        lines.push('\n');
+    }
+    output::print(&lines)
+}
+
 async fn write_files(arguments: &ExportClass, terminal: Terminal) -> Result<(), Failure> {
     let location = location(&arguments.place)?;
     let fails = |fault| about(&location, &fault);
     let store = Store::existing(&location).await.map_err(fails)?;
     let classes = store.classes().await.map_err(fails)?;
-    let class = classes.first().ok_or_else(|| fails(Fault::Missing))?;
+    let class = stored::chosen(classes, arguments.class.as_deref(), fails)?;
     let files = export::files(&store, &class.class).await.map_err(fails)?;
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|error| Failure::file("write", folder, &error))?;
@@ -124,6 +138,19 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         let fails = |fault| about(&location, &fault);
         let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
+        let known = classes.store().classes().await.map_err(fails)?;
+        if let Some(class) = known.first() {
+            let line = stored::line(classes.store(), class, terminal.language).await.map_err(fails)?;
+            if !arguments.new && !arguments.goes_on {
+                return Err(Failure::in_words(
+                    words!("{location} has a class: {line}", location = location.to_string()),
+                    words("`--continue` goes on with it, `--new` begins another one"),
+                ));
+            }
+            if arguments.goes_on {
+                terminal.print(&format!("{line}\n"));
+            }
+        }
         let class = match arguments.new {
             true => classes.begin(&title, arguments.keep, now()).await,
             false => classes.latest_or_begin(&title, arguments.keep, now()).await,

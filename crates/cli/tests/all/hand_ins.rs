@@ -227,5 +227,5 @@ fn a_document_that_is_not_the_given_one_is_named_with_its_lines() {
     assert_eq!(of(1)["with"], "given document");
     assert!(of(1)["lines"][0]["own"].as_str().unwrap().contains("Rate of damping"), "{found:#}");
     let text = meniscus(&["verify", folder, "--document", document]).stdout;
-    assert!(text.contains("its document differs from the given one in"), "{text}");
+    assert!(text.contains("its document differs from the given one; lines that differ: "), "{text}");
 }

@@ -88,8 +88,10 @@
       if (response.ok) {
         const { highest } = await response.json();
         storage.acknowledge(batch, highest);
+        // Another device of this seat has handed in under a greater number, and its parts count: both are merged.
+        if (batch.every(({ seq }) => seq < highest)) storage.drop(LEARNED);
         [problem, pause] = ["", FIRST];
-        if (storage.keys("waiting:").length) timer = setTimeout(send, 0);
+        if (learns() || storage.keys("waiting:").length) timer = setTimeout(send, 0);
       } else if (response.status === 409) {
         // Another device of this seat has used the numbers: what it has handed in is merged first.
         storage.renumber((await response.json()).highest);

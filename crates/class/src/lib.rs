@@ -5,6 +5,7 @@
 //! | [`against`] | a straight line through results of groups against a parameter |
 //! | [`collection`] | the hand-ins of a class, computed again one after the other, and what follows from all of them |
 //! | [`course`] | packages of a page for learning platforms |
+//! | [`grading`] | the grades of answers by a document and a seat |
 //! | [`page`] | a report of a class as a page and as a workbook, and its figures |
 //! | [`pooling`] | the pooled value of the results of groups, and outliers |
 //! | [`results`] | the quantities that several groups have fitted |
@@ -15,6 +16,8 @@
 pub mod against;
 pub mod collection;
 pub mod course;
+mod grades;
+pub mod grading;
 pub mod page;
 pub mod pooling;
 pub mod results;

@@ -44,11 +44,12 @@ pub struct Fixed {
 }
 
 /// Prefixes of the facts with standard errors, with units and with fixed parameters.
-const ERROR: &str = "standard error of ";
-const UNIT: &str = "unit of ";
-const FIXED: &str = "fixed ";
-/// Prefix of quantities that follow from the fitted parameters.
-const DERIVED: &str = "derived ";
+const ERROR: &str = "stderr:";
+const UNIT: &str = "unit:";
+const FIXED: &str = "fixed:";
+/// Prefixes of the fitted parameters, and of quantities that follow from them.
+const FITTED: &str = "value:";
+const DERIVED: &str = "derived:";
 
 /// Results of a quantity by hand-in.
 #[derive(Default)]
@@ -86,7 +87,8 @@ pub fn quantities<'a>(hand_ins: impl Iterator<Item = (usize, &'a [Fact])>) -> Ve
         let pool = pool(&results.iter().map(|(_, measured)| *measured).collect::<Vec<_>>());
         let derived = name.strip_prefix(DERIVED).map(str::to_owned);
         let is_derived = derived.is_some();
-        Quantity { theory, name: derived.unwrap_or(name), is_derived, unit, results, fixed, pool }
+        let name = derived.unwrap_or_else(|| name.strip_prefix(FITTED).unwrap_or(&name).to_owned());
+        Quantity { theory, name, is_derived, unit, results, fixed, pool }
     };
     found.into_iter().map(quantity).collect()
 }

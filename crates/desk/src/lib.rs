@@ -63,8 +63,8 @@ pub use records::{
 };
 pub use refusal::Refusal;
 pub use storing::{
-    Visit, document_data, facts, items_of_fit, project_items, restore, restore_answer, saved_answers,
-    take_project_items,
+    Visit, answer_of_item, document_data, facts, items_of_fit, merge_project_items, project_items, restore,
+    restore_answer, saved_answers, take_project_items,
 };
 pub use workbook::{export_record, missing_in_link, workbook};
 pub use writing::{

@@ -55,12 +55,12 @@ pub use controls::{
     ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
     PresetView, Settings, SizeView, Slider,
 };
-pub use facts::{Fact, FactValue, facts_of_answers, facts_of_run};
+pub use facts::{Fact, FactValue, UNKNOWN_GRADE, facts_of_answers, facts_of_run};
 pub use open_run::OpenRun;
 pub use play::Play;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
 pub use plots::{SweepComputation, SweepNews, SweepWork, SweepWorkers, TakenRun};
-pub use questions::{Answer, AnswerView, Answers, Attempt, Grade, Verdict};
+pub use questions::{Answer, AnswerView, Answers, Attempt, Conditions, Grade, GradedAttempt, Marker, Verdict};
 pub use refusal::Refusal;
 pub use removed::Removals;
 pub use seat::SeatView;

@@ -394,6 +394,7 @@ impl Play {
         let Some(fields) = fields(fragment)? else { return Ok(()) };
         if let Some(seat) = seat(&fields) {
             self.basis.set_seat(Some(seat));
+            self.answers.grade_again(&self.basis);
         }
         let Self { basis, line, plots, answers, .. } = self;
         let restored = Reader::new(basis, line, plots, answers, most_changes).restore(&fields, work);

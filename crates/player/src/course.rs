@@ -4,7 +4,7 @@
 use crate::answers;
 use crate::words::{self, Words};
 use js_sys::{Array, Function, Promise, Reflect};
-use play::{Answer, Attempt, Extent, Grade, Play};
+use play::{Answer, Extent, Grade, Play};
 use program::Seat;
 use std::cell::{Cell, RefCell};
 use view::views::*;
@@ -164,7 +164,7 @@ impl Course {
         let level = first.as_f64().map_or(0, |level| level as usize);
         match what {
             "state" if level < LEVELS => return app.read(|play| state(play, level)).into(),
-            "score" => return app.read(|play| play.answers().score()).unwrap_or(f64::NAN).into(),
+            "score" => return app.read(|play| play.answers().score(play.basis())).unwrap_or(f64::NAN).into(),
             "done" => return app.read(|play| play.answers().are_complete()).into(),
             "restore" => self.restore(app, &first.as_string().unwrap_or_default(), second),
             "left" => {
@@ -216,13 +216,14 @@ impl Course {
 /// Number of attempts at each question, and whether its answer was shown.
 fn counts(play: &Play) -> Vec<(usize, bool)> {
     let answers = (0..play.program().questions.len()).map(|index| play.answers().answer(play.basis(), index));
-    answers.map(|answer| (answer.attempts.len(), answer.revealed)).collect()
+    answers.map(|answer| (answer.attempts.len(), answer.shown.is_some())).collect()
 }
 
 /// An attempt as arguments of the script: id, true for a plain number in the unit that is asked for, response, and result.
 fn attempt(play: &Play, question: usize, number: usize) -> Option<Array> {
-    let Attempt { typed, grade } = play.answers().answer(play.basis(), question).attempts.into_iter().nth(number)?;
-    let plain = play.answers().number(play.basis(), play.course(), question, &typed).map(|number| number.to_string());
+    let given = play.answers().answer(play.basis(), question).attempts.into_iter().nth(number)?;
+    let (grade, typed) = (given.grade(), given.typed);
+    let plain = play.answers().number(play.basis(), question, &typed).map(|number| number.to_string());
     let plain = plain.filter(|text| is_plain(text));
     let result = match grade {
         Grade::Correct => "correct",

@@ -3,7 +3,7 @@
 
 use crate::{source, words};
 use js_sys::JSON;
-use play::{Answer, Attempt, Fact, FactValue, Play, facts_of_answers, facts_of_run, name_of};
+use play::{Answer, Attempt, Conditions, Fact, FactValue, Play, facts_of_answers, facts_of_run, name_of};
 use program::{BITS, VERSION};
 use view::views::*;
 use view::{App, browser, page::handing, pieces::icons};
@@ -14,7 +14,7 @@ use web_sys::HtmlDialogElement;
 const ID: &str = "hand-in-dialog";
 
 /// Version of the format of hand-ins, of projects, and of items.
-const VERSIONS: [u32; 3] = [1, 1, 3];
+const VERSIONS: [u32; 3] = [2, 1, 3];
 
 /// Button of the header; empty if the page does not contain its document.
 pub fn button_of(app: App) -> View {
@@ -84,28 +84,36 @@ fn made(play: &mut Play, name: &str) -> Option<(String, String, usize)> {
 
 /// An answer as an item of a project. `now`: time of storage, in milliseconds.
 fn item(question: &str, answer: &Answer, now: f64) -> String {
-    let attempt = |one: &Attempt| format!("{{\"typed\":{},\"grade\":\"{}\"}}", quoted(&one.typed), one.grade.code());
+    let attempt = |one: &Attempt| {
+        let conditions = one.conditions.as_ref().map_or_else(String::new, |Conditions { language, values }| {
+            let values = values.iter().map(|(name, value)| format!("[{},{}]", quoted(name), number(*value)));
+            format!(",\"language\":{},\"values\":{}", quoted(language), list(values))
+        });
+        format!("{{\"typed\":{},\"grade\":\"{}\"{conditions}}}", quoted(&one.typed), one.grade.code())
+    };
+    let shown = answer.shown.map_or_else(String::new, |before| format!(",\"shown\":{before},\"revealed\":true"));
     let grade = answer.grade.map_or_else(String::new, |grade| format!(",\"grade\":\"{}\"", grade.code()));
     format!(
-        "{{\"name\":{},\"item\":{{\"meniscus\":{},\"since\":{now},\"item\":{{\"answer\":{{\"typed\":{}{grade},\
-         \"revealed\":{},\"found\":{},\"attempts\":{}}}}}}}}}",
+        "{{\"name\":{},\"item\":{{\"meniscus\":{},\"since\":{now},\"item\":{{\"answer\":{{\"typed\":{}{grade}{shown},\
+         \"attempts\":{}}}}}}}}}",
         quoted(question),
         VERSIONS[2],
         quoted(&answer.typed),
-        answer.revealed,
-        answer.found,
         list(answer.attempts.iter().map(attempt)),
     )
 }
 
 fn fact(part: &str, fact: &Fact) -> String {
     let value = match &fact.value {
-        FactValue::Number(number) if number.is_finite() => format!("\"number\":{number:e}"),
-        // JSON has no infinities and NaN.
-        FactValue::Number(number) => format!("\"number\":\"{number}\""),
+        FactValue::Number(value) => format!("\"number\":{}", number(*value)),
         FactValue::Text(text) => format!("\"text\":{}", quoted(text)),
     };
     format!("{{\"part\":\"{part}\",\"item\":{},\"quantity\":{},{value}}}", quoted(&fact.item), quoted(&fact.quantity))
+}
+
+/// A number as JSON, which has no infinities and NaN.
+fn number(value: f64) -> String {
+    if value.is_finite() { format!("{value:e}") } else { format!("\"{value}\"") }
 }
 
 /// A text as JSON.

@@ -1,6 +1,7 @@
 //! Page of a single simulation: it runs the program stored in the page and contains no parser of the language.
 
 mod answers;
+mod class;
 mod course;
 mod hand_in;
 mod height;

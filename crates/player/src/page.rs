@@ -1,7 +1,7 @@
 //! Layout of the page: header, stage, and a panel with the tabs *Explore*, *Questions* and *Theory*.
 
 use crate::simulation::{self, Simulation};
-use crate::{answers, hand_in, height, site, source, surrounding};
+use crate::{answers, class, hand_in, height, site, source, surrounding};
 use play::{Embedding, PagePart};
 use units::Language;
 use view::browser::{self, address, fragment, is_heading};
@@ -37,6 +37,7 @@ fn show(place: &HtmlElement, embedding: Embedding, language: Language) {
         }
         follow_link(app);
         surrounding::follow(app);
+        class::listen(app);
         browser::listen("hashchange", move |_: &web_sys::Event| follow_link(app));
         // Set here for the first time, so this cannot fail. Answers are saved from now on.
         let _ = simulation.app.set(app);

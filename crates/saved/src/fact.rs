@@ -71,7 +71,7 @@ pub struct Fact {
     pub part: Part,
     /// The record, fit or film by its name, or the question by its number.
     pub item: String,
-    /// Name of the quantity.
+    /// Identifier of the quantity, see [`super::hand_in::quantity_text`].
     pub quantity: String,
     /// The value.
     #[serde(flatten)]

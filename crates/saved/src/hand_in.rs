@@ -1,27 +1,31 @@
 //! A hand-in: one file with the work of a student or a group, and the numbers that follow from it.
 //!
 //! ```json
-//! {"meniscus hand-in":1,"program":"0.3.0","bits":1,"made":1763812800000,
+//! {"meniscus hand-in":2,"program":"0.3.0","bits":1,"made":1763812800000,
 //!  "sender":{"name":"blue heron 17","seat":7,"assignment":"tube-2026"},
 //!  "work":{"meniscus project":1,"documents":[],"state":"","items":[]},
-//!  "facts":[{"part":"fit","item":"Linear damping: film.csv","quantity":"gamma","number":0.4}]}
+//!  "facts":[{"part":"fit","item":"Linear damping: film.csv","quantity":"value:gamma","number":0.4}]}
 //! ```
 //!
 //! A file can also hold it deflated with a zlib header, or inside of a report ([`crate::carried`]): [`HandIn::open`] reads all.
 //!
 //! The facts can be computed again from the work, bit for bit by a program with the same number `bits`
 //! ([`program::BITS`]). Unknown fields are ignored.
+//!
+//! Version 1, of programs up to 0.2.0, has English sentences as quantities ([`Fact::of_version_1`]), and attempts without their
+//! conditions.
 
-use crate::carried;
+use crate::carried::{self, Carried};
 use crate::project::{Project, ProjectError};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
-use units::{Words, words};
+use units::{Language, Words, words};
 
 pub use crate::fact::{FOLLOWS, FOLLOWS_NOT, Fact, FactValue, Part};
+pub use crate::quantity::quantity_text;
 
 /// Version of the format.
-const VERSION: u32 = 1;
+pub const HAND_IN_VERSION: u32 = 2;
 
 /// Maximum size of a hand-in, in bytes.
 pub const LONGEST_HAND_IN: usize = 64 << 20;
@@ -52,6 +56,8 @@ pub struct Sender {
 /// Content of a hand-in.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HandIn {
+    /// Version of its format, from 1 to [`HAND_IN_VERSION`].
+    pub version: u32,
     /// Version of the program that made it.
     pub program: String,
     /// Number of the bits of that program's results ([`program::BITS`], from 1); `None` if it stated none, as versions up
@@ -123,13 +129,14 @@ impl HandIn {
     /// has computed from the work.
     pub fn new(made: u64, sender: Sender, work: Project, facts: Vec<Fact>) -> Self {
         let program = program::VERSION.to_owned();
-        Self { program, bits: Some(program::BITS), made, sender, work, facts, page: Vec::new() }
+        let bits = Some(program::BITS);
+        Self { version: HAND_IN_VERSION, program, bits, made, sender, work, facts, page: Vec::new() }
     }
 
-    /// The hand-in to be carried by a page ([`carried::carry`]): it also states the text of the page.
+    /// The hand-in to be carried by a page in a language ([`carried::carry`]): it also states the text of the page.
     #[must_use]
-    pub fn of_page(mut self, page: &str) -> Self {
-        self.facts.extend(carried::sections(page));
+    pub fn of_page(mut self, page: &str, language: Language) -> Self {
+        self.facts.extend(carried::facts_without_data(page, language));
         self
     }
 
@@ -138,7 +145,7 @@ impl HandIn {
         // A project, texts and numbers can always be serialised.
         let Ok(work) = RawValue::from_string(self.work.write()) else { return String::new() };
         let written = Written {
-            version: VERSION,
+            version: self.version,
             program: self.program.clone(),
             bits: self.bits,
             made: self.made,
@@ -164,10 +171,11 @@ impl HandIn {
         if !text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
             return Self::read(&text);
         }
-        let (packed, page) = carried::carried(&text).ok_or(HandInError::NoData)?;
-        let text =
-            if is_deflated(&packed) { inflated(&packed)? } else { String::from_utf8_lossy(&packed).into_owned() };
-        Ok(Self { page, ..Self::read(&text)? })
+        let carried = Carried::of(&text).ok_or(HandInError::NoData)?;
+        let packed = &carried.packed;
+        let text = if is_deflated(packed) { inflated(packed)? } else { String::from_utf8_lossy(packed).into_owned() };
+        let hand_in = Self::read(&text)?;
+        Ok(Self { page: carried.facts(hand_in.version), ..hand_in })
     }
 
     /// Reads the text of a hand-in.
@@ -183,7 +191,7 @@ impl HandIn {
             Err(error) if error.is_data() => return Err(HandInError::Other),
             Err(_) => return Err(HandInError::Damaged),
         };
-        if version > VERSION {
+        if version > HAND_IN_VERSION {
             return Err(HandInError::LaterVersion);
         }
         let Written { program, bits, made, mut sender, work, facts, .. } =
@@ -197,7 +205,7 @@ impl HandIn {
             ProjectError::Unreadable => HandInError::Damaged,
         })?;
         sender.name = sender.name.chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
-        Ok(Self { program, bits, made, sender, work, facts, page: Vec::new() })
+        Ok(Self { version, program, bits, made, sender, work, facts, page: Vec::new() })
     }
 }
 
@@ -230,6 +238,7 @@ mod tests {
             value,
         };
         HandIn {
+            version: HAND_IN_VERSION,
             program: "0.1.0".to_owned(),
             bits: Some(7),
             made: 5,
@@ -259,13 +268,14 @@ mod tests {
         let text = hand_in().write();
         let packed = miniz_oxide::deflate::compress_to_vec_zlib(text.as_bytes(), 6);
         let page = "<!doctype html><html><body><h1>a</h1><p>0.4</p><footer>f</footer></body></html>";
-        let carrying = carried::carry(page, &packed, units::Language::English);
-        let carrying_text = carried::carry(page, text.as_bytes(), catalogues::with(units::Language::Spanish));
+        let languages = [Language::English, catalogues::with(Language::Spanish)];
+        let carrying = carried::carry(page, &packed, languages[0]);
+        let carrying_text = carried::carry(page, text.as_bytes(), languages[1]);
         assert_eq!(HandIn::open(text.as_bytes()), Ok(hand_in()));
         assert_eq!(HandIn::open(&packed), Ok(hand_in()));
-        let expected = HandIn { page: carried::sections(page), ..hand_in() };
-        for page in [carrying, carrying_text] {
-            assert_eq!(HandIn::open(page.as_bytes()), Ok(expected.clone()));
+        for (carrying, language) in [carrying, carrying_text].into_iter().zip(languages) {
+            let expected = HandIn { page: carried::facts_without_data(page, language), ..hand_in() };
+            assert_eq!(HandIn::open(carrying.as_bytes()), Ok(expected));
         }
         assert_eq!(HandIn::open(page.as_bytes()), Err(HandInError::NoData));
         for end in 0..packed.len() {
@@ -282,7 +292,7 @@ mod tests {
             (String::new(), HandInError::Damaged),
             ("[]".to_owned(), HandInError::Other),
             ("{\"meniscus project\":1}".to_owned(), HandInError::Other),
-            (whole.replace("\"meniscus hand-in\":1", "\"meniscus hand-in\":2"), HandInError::LaterVersion),
+            (whole.replace("\"meniscus hand-in\":2", "\"meniscus hand-in\":3"), HandInError::LaterVersion),
             (whole.replace("\"meniscus project\":1", "\"meniscus project\":2"), HandInError::LaterVersion),
             (whole.replace("\"documents\":[{", "\"documents\":[],\"x\":[{"), HandInError::Damaged),
             (whole.replace("\"part\":\"fit\"", "\"part\":\"x\""), HandInError::Damaged),

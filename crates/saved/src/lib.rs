@@ -20,6 +20,7 @@ pub mod hand_in;
 pub mod item;
 mod number;
 pub mod project;
+mod quantity;
 pub mod shelf;
 pub mod storage;
 pub mod survey;

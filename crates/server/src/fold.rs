@@ -8,7 +8,7 @@
 //!
 //! | part | value |
 //! |---|---|
-//! | `head` | version of the program, number of its bits, time, seat and assignment |
+//! | `head` | version of the format and of the program, number of its bits, time, seat and assignment |
 //! | `documents` | the files of the document |
 //! | `state` | the state of the run, as in a link |
 //! | `order` | names of the items in their order; other items were removed |
@@ -64,9 +64,17 @@ pub struct Folded(BTreeMap<String, Parts>);
 #[derive(Deserialize, Default)]
 #[serde(default)]
 struct Head {
+    /// Version of the format of hand-ins; without it the first.
+    format: Option<u32>,
     program: String,
     bits: Option<u32>,
     sender: Sender,
+}
+
+/// Value of a part with an item.
+#[derive(Deserialize)]
+struct Named {
+    item: Box<RawValue>,
 }
 
 #[derive(Serialize)]
@@ -127,7 +135,7 @@ impl Folded {
         let items: Option<Vec<&RawValue>> = order.iter().map(|name| parts.value(&format!("{ITEM}{name}"))).collect();
         let none = to_raw_value(&[(); 0]).ok()?;
         let hand_in = HandIn {
-            version: 1,
+            version: head.format.unwrap_or(1),
             program: head.program,
             bits: head.bits,
             made,
@@ -143,13 +151,11 @@ impl Folded {
         serde_json::to_string(&hand_in).ok()
     }
 
-    /// The latest answers by the name of their question, of all documents.
-    pub fn answers(&self) -> BTreeMap<String, Given> {
-        let of = |parts: &Parts| -> Vec<(String, Given)> {
-            let items = parts.0.iter().filter_map(|(name, (.., value))| Some((name.strip_prefix(ITEM)?, value)));
-            items.filter_map(|(name, value)| Some((name.to_owned(), Given::of(value)?))).collect()
-        };
-        self.0.values().flat_map(of).collect()
+    /// The items of a document: their names, and texts as `saved::Item` reads them.
+    pub fn items<'a>(&'a self, document: &str) -> impl Iterator<Item = (&'a str, String)> {
+        let item = |value: &RawValue| Some(serde_json::from_str::<Named>(value.get()).ok()?.item.get().to_owned());
+        let parts = self.0.get(document).into_iter().flat_map(|parts| &parts.0);
+        parts.filter_map(move |(name, (.., value))| Some((name.strip_prefix(ITEM)?, item(value)?)))
     }
 }
 
@@ -162,25 +168,4 @@ impl Parts {
 /// Sender of a hand-in: the pseudonym, and of several documents also its document, since of each sender one hand-in counts.
 pub fn sender(pseudonym: &str, document: &str, documents: usize) -> String {
     if documents > 1 { format!("{pseudonym} ({document})") } else { pseudonym.to_owned() }
-}
-
-/// The last attempt at a question.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Given {
-    /// The answer as it was typed.
-    pub typed: String,
-    /// True if it was right.
-    pub is_right: bool,
-}
-
-impl Given {
-    /// `None` if the item is no answer, or has no attempt.
-    fn of(item: &RawValue) -> Option<Self> {
-        let item: serde_json::Value = serde_json::from_str(item.get()).ok()?;
-        let last = item.pointer("/item/item/answer/attempts")?.as_array()?.last()?;
-        Some(Self {
-            typed: last.get("typed")?.as_str()?.to_owned(),
-            is_right: last.get("grade")?.as_str()? == "correct",
-        })
-    }
 }

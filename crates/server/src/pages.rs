@@ -7,9 +7,11 @@ use axum::response::{IntoResponse, Response};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
+use serde::Serialize;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::io::Write;
+use std::sync::Arc;
 use units::Language;
 use units::markup::escaped;
 
@@ -41,6 +43,53 @@ pub struct Document {
     pub has_seats: bool,
     /// The page that plays it.
     pub html: String,
+    /// The document and its translations: names and texts.
+    pub sources: Vec<Source>,
+    /// Grades the answers to its questions.
+    pub grader: Grader,
+}
+
+/// A file of a document.
+#[derive(Clone, Debug, Serialize)]
+pub struct Source {
+    /// File name.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The answer to a question, graded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// The last answer that was checked, as it was typed.
+    pub typed: String,
+    /// True if a right answer was given, and before the right answer was shown.
+    pub is_right: bool,
+}
+
+type Grade = dyn Fn(u32, &str, &str) -> Option<Given> + Send + Sync;
+
+/// Grades answers by a document.
+#[derive(Clone)]
+pub struct Grader(Arc<Grade>);
+
+impl Grader {
+    /// A function of a seat, the name of a question, and the text of a stored item. It gives `None` if there is no such question, if
+    /// the item is no answer, or if nothing was checked.
+    pub fn new(grade: impl Fn(u32, &str, &str) -> Option<Given> + Send + Sync + 'static) -> Self {
+        Self(Arc::new(grade))
+    }
+
+    /// The answer to the question of this name in the text of an item, for a seat.
+    pub fn answer(&self, seat: u32, question: &str, item: &str) -> Option<Given> {
+        (self.0)(seat, question, item)
+    }
+}
+
+impl std::fmt::Debug for Grader {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("Grader")
+    }
 }
 
 /// A page, also compressed.
@@ -136,10 +185,20 @@ impl Pages {
         self.documents.iter().find(|(document, _)| document.name == name).map(|(_, page)| page)
     }
 
+    /// The documents.
+    pub fn documents(&self) -> impl Iterator<Item = &Document> {
+        self.documents.iter().map(|(document, _)| document)
+    }
+
     /// Names and titles of the documents.
     pub fn names(&self) -> Vec<Value> {
         let one = |(document, _): &(Document, Page)| json!({ "name": document.name, "title": document.title });
         self.documents.iter().map(one).collect()
+    }
+
+    /// Files of the documents, for the dashboard.
+    pub fn sources(&self) -> Vec<&[Source]> {
+        self.documents().map(|document| document.sources.as_slice()).collect()
     }
 
     /// Page of a document as a file that opens from disk: it hands in to this address, and to no other.

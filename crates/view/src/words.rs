@@ -254,7 +254,7 @@ table_of_words! {
     hint: "Hint";
     reveal: "Show the answer";
     right_answer: "Answer";
-    supposes: "This question assumes";
+    supposes: "This question is about";
     set_up: "Set these values";
     is_set_up: "set";
 

@@ -83,7 +83,7 @@ visit("changed, repeated, damaged and hostile hand-ins are told apart, and are s
   const honest = JSON.parse(groups[0].text);
   const changed = structuredClone(honest);
   changed.sender.name = "<img src=x onerror=document.title=1>";
-  changed.facts.find((fact) => fact.quantity === "gamma").number *= 1.0000000001;
+  changed.facts.find((fact) => fact.quantity === "value:gamma").number *= 1.0000000001;
   const later = { ...honest, made: honest.made + 5 };
   await drop(
     lab,

@@ -41,10 +41,10 @@ visit("what the page hands in follows from its data to the bit, and a changed re
   assert.equal(await lab.page.locator("#hand-in-said").innerText(), `Saved linear.hand-in with ${count} values.`);
 
   const handed = JSON.parse(text);
-  handed.facts.find((fact) => fact.quantity === "gamma").number *= 1.0000000001;
+  handed.facts.find((fact) => fact.quantity === "value:gamma").number *= 1.0000000001;
   const changed = verified(JSON.stringify(handed));
   assert.equal(changed.code, 1);
-  assert.deepEqual(changed.found.hand_ins[0].differences.map((one) => one.quantity), ["gamma"]);
+  assert.deepEqual(changed.found.hand_ins[0].differences.map((one) => one.quantity), ["value:gamma"]);
 });
 
 for (const [language, theme, size] of [["en-GB", "light", {}], ["es-ES", "dark", { width: 390, height: 844 }]]) {

@@ -74,7 +74,7 @@ visit("a dropped hand-in is verified, and its work can be opened", async (lab) =
   await lab.keys("Escape");
 
   const handed = JSON.parse(text);
-  handed.facts.find((fact) => fact.quantity === "gamma").number *= 1.001;
+  handed.facts.find((fact) => fact.quantity === "value:gamma").number *= 1.001;
   handed.bits += 1;
   assert.match(await verdict(lab, "changed.hand-in", JSON.stringify(handed)), /^Not every value follows/);
   const found = await differences(lab);

@@ -1,8 +1,10 @@
 //! What follows from the work of a hand-in. It is computed here in small steps, or elsewhere from an order.
 
-use super::work::{GivenAnswer, Work, answers, equal_runs};
+use super::work::{Work, equal_runs};
+use crate::grading::{GivenAnswer, Grader};
 use crate::verify::{Recomputation, compare};
 use desk::{FittedCurve, MeasuredCurve, OpenedDocuments, TheoryCurve};
+use document::page::Source;
 use saved::hand_in::{Fact, HandIn};
 use saved::project::Project;
 use serde::{Deserialize, Serialize};
@@ -12,6 +14,8 @@ use serde::{Deserialize, Serialize};
 pub struct WorkOrder {
     /// Text of the project.
     project: String,
+    /// Text of a project with the teacher's document, if that of the work is not the same.
+    reference: Option<String>,
     /// Tag of the language of the questions.
     language: String,
 }
@@ -45,22 +49,32 @@ pub struct Calculator {
 }
 
 impl WorkOrder {
-    pub(super) fn new(work: &Project, language: &str) -> Self {
-        Self { project: work.write(), language: language.to_owned() }
+    pub(super) fn new(work: &Project, reference: Option<&[Source]>, language: &str) -> Self {
+        let reference = reference.map(|files| Project { documents: files.to_vec(), ..Project::default() }.write());
+        Self { project: work.write(), reference, language: language.to_owned() }
     }
 }
 
 impl Computed {
-    /// Values, curves and answers of a finished recomputation. Curves are computed of theories that are not `known`, by their titles.
-    pub(super) fn of(recomputation: Recomputation, language: &str, known: impl Fn(&str) -> bool) -> Self {
+    /// Values, curves and answers of a finished recomputation. `given`: the items of the work, and the teacher's document by which its
+    /// answers are graded, if it has another one. Curves are computed of theories that are not `known`, by their titles.
+    pub(super) fn of(
+        recomputation: Recomputation,
+        given: (&[(String, String)], Option<&[Source]>),
+        language: &str,
+        known: impl Fn(&str) -> bool,
+    ) -> Self {
         let refused = recomputation.refused();
         let (desk, facts) = recomputation.finish(language);
+        let (program, (items, reference)) = (desk.play().program(), given);
+        let teacher = reference.and_then(|files| Grader::open(files, language));
+        let mut grader = teacher.unwrap_or_else(|| Grader::new(program.clone(), language));
         Self {
             facts,
             refused,
             curves: desk.measured().curves(desk.play()),
             fits: desk.fits().fitted_curves(),
-            answers: answers(desk.play()),
+            answers: grader.answers(program.seat, items),
             equal_runs: equal_runs(desk.play()),
             theories: desk.fits().theory_curves(|theory| !known(theory)),
         }
@@ -80,8 +94,10 @@ impl Calculator {
         let work = Project::read(&order.project).ok()?;
         let mut recomputation = Recomputation::begin_with(&work, &mut self.documents)?;
         while recomputation.advance_with(&mut self.documents) {}
+        let reference = order.reference.as_deref().and_then(|text| Project::read(text).ok());
+        let reference = reference.map(|project| project.documents);
         let is_known = |theory: &str| self.theories.iter().any(|known| known == theory);
-        let computed = Computed::of(recomputation, &order.language, is_known);
+        let computed = Computed::of(recomputation, (&work.items, reference.as_deref()), &order.language, is_known);
         self.theories.extend(computed.theories.iter().map(|curve| curve.theory.clone()));
         Some(computed)
     }

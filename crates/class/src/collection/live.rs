@@ -16,6 +16,7 @@ impl Collection {
         let Some(index) = self.entries.iter().position(is_former) else { return self.add(file, content) };
         let entry = &mut self.entries[index];
         entry.content = content;
+        self.are_documents_compared = false;
         entry.state = match std::mem::replace(&mut entry.state, State::Waiting(None)) {
             State::Done(work) => State::Waiting(Some(work)),
             State::Waiting(work) => State::Waiting(work),

@@ -3,8 +3,10 @@
 
 mod computed;
 mod curves;
+mod documents;
 mod live;
 mod questions;
+mod references;
 mod snapshots;
 mod stuck;
 mod work;
@@ -12,13 +14,17 @@ mod work;
 pub use computed::{Calculator, Computed, WorkOrder};
 pub use curves::{CurveGroup, Member};
 pub use questions::{ErrorKind, QuestionTally};
+pub use references::References;
 pub use snapshots::{Snapshot, Snapshots};
 pub use stuck::Stuck;
-pub use work::{GivenAnswer, Work};
+pub use work::Work;
 
+use crate::grading::GivenAnswer;
 use crate::results::{Quantity, quantities};
-use crate::verify::{Copied, Curve, Recomputation, copied, document_has_errors};
+use crate::verify::documents::is_same;
+use crate::verify::{Copied, Curve, DocumentDifference, Recomputation, copied, document_has_errors};
 use desk::{OpenedDocuments, TheoryCurve};
+use document::page::Source;
 use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError};
 use std::collections::{BTreeSet, VecDeque};
 use units::{Language, Words, words};
@@ -31,6 +37,8 @@ pub struct Entry {
     state: State,
     /// The measured columns of a hand-in that counts, in the form in which copies are found.
     columns: Vec<Curve>,
+    /// How its document differs from the teacher's or from that of most others.
+    document: Option<DocumentDifference>,
 }
 
 /// State of a file.
@@ -61,6 +69,16 @@ impl Entry {
     pub fn sender(&self) -> &str {
         let name = self.hand_in().map(|hand_in| &hand_in.sender.name);
         name.filter(|name| !name.is_empty()).unwrap_or(&self.file)
+    }
+
+    /// How its document differs from the teacher's, or without one from that of most others; `None` if it does not.
+    pub fn document(&self) -> Option<&DocumentDifference> {
+        self.document.as_ref()
+    }
+
+    /// True if it can be read and no later hand-in of the same sender counts.
+    fn counts(&self) -> bool {
+        !matches!(self.state, State::Repeated(_) | State::Unreadable(_))
     }
 
     /// State of the file.
@@ -103,6 +121,9 @@ pub struct Collection {
     copies: Vec<Copied>,
     /// Curves of the theories, those of a theory from the first hand-in with it, and the index of that hand-in.
     theories: Vec<(usize, TheoryCurve)>,
+    references: References,
+    /// True if the documents were compared since the last change.
+    are_documents_compared: bool,
 }
 
 impl Collection {
@@ -118,6 +139,8 @@ impl Collection {
             uncompared: VecDeque::new(),
             copies: Vec::new(),
             theories: Vec::new(),
+            references: References::default(),
+            are_documents_compared: true,
         }
     }
 
@@ -155,7 +178,8 @@ impl Collection {
                 }
             }
         }
-        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new() });
+        self.entries.push(Entry { file: file.to_owned(), content, state, columns: Vec::new(), document: None });
+        self.are_documents_compared = false;
     }
 
     /// Index of the hand-in of the same sender that counts so far.
@@ -183,7 +207,8 @@ impl Collection {
 
     /// Removes everything.
     pub fn clear(&mut self) {
-        *self = Self::new(self.language);
+        let references = std::mem::take(&mut self.references);
+        *self = Self { references, ..Self::new(self.language) };
     }
 
     /// The files in the order in which they were added.
@@ -233,13 +258,15 @@ impl Collection {
     /// if nothing is left to do.
     pub fn advance(&mut self) -> bool {
         match self.step.take() {
-            None => return self.begin() || self.begin_comparing(),
+            None => return self.begin() || self.begin_comparing() || self.compare_documents(),
             Some(Step::Fitting(index, mut recomputation)) if self.is_waiting(index) => {
                 if recomputation.advance_with(&mut self.documents) {
                     self.step = Some(Step::Fitting(index, recomputation));
                 } else {
                     let is_known = |theory: &str| self.theories.iter().any(|(_, curve)| curve.theory == theory);
-                    let computed = Computed::of(*recomputation, self.language.tag(), is_known);
+                    let items = self.entries[index].hand_in().map_or(&[][..], |hand_in| &hand_in.work.items);
+                    let reference = self.other_reference(index);
+                    let computed = Computed::of(*recomputation, (items, reference), self.language.tag(), is_known);
                     self.finish(index, Some(computed));
                 }
             }
@@ -276,9 +303,15 @@ impl Collection {
     pub fn order(&mut self) -> Option<(usize, WorkOrder)> {
         let index = self.next_waiting()?;
         let hand_in = self.entries[index].hand_in()?;
-        let order = WorkOrder::new(&hand_in.work, self.language.tag());
+        let order = WorkOrder::new(&hand_in.work, self.other_reference(index), self.language.tag());
         self.ordered.insert(index);
         Some((index, order))
+    }
+
+    /// The teacher's document of a hand-in whose own is not the same.
+    fn other_reference(&self, index: usize) -> Option<&[Source]> {
+        let files = &self.entries.get(index)?.hand_in()?.work.documents;
+        self.reference(files).filter(|reference| !is_same(files, reference))
     }
 
     /// Takes what was ordered for the hand-in of this index; `None` if its document has errors.

@@ -1,6 +1,7 @@
 //! Answers of a class, question by question.
 
-use super::{Collection, GivenAnswer};
+use super::Collection;
+use crate::grading::GivenAnswer;
 use crate::share::Share;
 use desk::play::Grade;
 use std::collections::BTreeMap;
@@ -20,9 +21,9 @@ pub struct QuestionTally {
     pub prompt: String,
     /// Groups whose first attempt is right, of those with an attempt.
     pub first: Share,
-    /// Groups whose last attempt is right, of those with an attempt.
-    pub last: Share,
-    /// Number of groups to whom the right answer was shown.
+    /// Groups that gave a right answer before it was shown, of those with an attempt.
+    pub found: Share,
+    /// Number of groups to whom the right answer was shown before they gave it.
     pub revealed: usize,
     /// Number of groups that have not tried.
     pub without: usize,
@@ -37,7 +38,7 @@ pub struct ErrorKind {
     pub grade: Grade,
     /// Number of groups that made it.
     pub groups: usize,
-    /// Attempts with this error: typed text, right answer of the group, and number of groups; the most frequent first, at most
+    /// Attempts with this error: typed text, right answer for its values, and number of groups; the most frequent first, at most
     /// 20.
     pub examples: Vec<(String, String, usize)>,
 }
@@ -66,15 +67,13 @@ fn tally(answers: &[&GivenAnswer]) -> Option<QuestionTally> {
     let any = answers.first()?;
     let tried = || answers.iter().filter(|answer| !answer.attempts.is_empty());
     let of = tried().count();
-    let is_first_right =
-        |answer: &&&GivenAnswer| answer.attempts.first().is_some_and(|attempt| attempt.grade == Grade::Correct);
     Some(QuestionTally {
         document: any.document.clone(),
         question: any.question,
         prompt: any.prompt.clone(),
-        first: Share { count: tried().filter(is_first_right).count(), of },
-        last: Share { count: tried().filter(|answer| answer.is_right()).count(), of },
-        revealed: answers.iter().filter(|answer| answer.revealed).count(),
+        first: Share { count: tried().filter(|answer| answer.is_first_right()).count(), of },
+        found: Share { count: tried().filter(|answer| answer.found).count(), of },
+        revealed: answers.iter().filter(|answer| answer.shown.is_some() && !answer.found).count(),
         without: answers.len() - of,
         errors: errors(answers),
     })
@@ -92,13 +91,13 @@ fn errors(answers: &[&GivenAnswer]) -> Vec<ErrorKind> {
     let mut kinds: BTreeMap<&str, Found<'_>> = BTreeMap::new();
     for answer in answers {
         let mut seen: Vec<(&str, &str)> = Vec::new();
-        for attempt in answer.attempts.iter().filter(|attempt| attempt.grade != Grade::Correct) {
-            let code = attempt.grade.code();
-            let new = || Found { grade: attempt.grade, groups: 0, examples: BTreeMap::new() };
+        for attempt in answer.attempts.iter().filter(|attempt| attempt.grade() != Grade::Correct) {
+            let code = attempt.grade().code();
+            let new = || Found { grade: attempt.grade(), groups: 0, examples: BTreeMap::new() };
             let kind = kinds.entry(code).or_insert_with(new);
             kind.groups += usize::from(!seen.iter().any(|(own, _)| *own == code));
             if !seen.contains(&(code, attempt.typed.as_str())) {
-                *kind.examples.entry((attempt.typed.as_str(), answer.right.as_str())).or_default() += 1;
+                *kind.examples.entry((attempt.typed.as_str(), attempt.right.as_str())).or_default() += 1;
                 seen.push((code, attempt.typed.as_str()));
             }
         }

@@ -1,6 +1,7 @@
 //! Groups that are stuck, by rules with a reason.
 
-use super::{Collection, GivenAnswer, Work};
+use super::{Collection, Work};
+use crate::grading::GivenAnswer;
 use crate::results::Quantity;
 use desk::play::Grade;
 use units::{Words, words};
@@ -44,8 +45,8 @@ fn far_result(quantity: &Quantity) -> Words {
 
 /// The reason if the last attempts at a question are wrong in the same way.
 fn same_errors(answer: &GivenAnswer) -> Option<Words> {
-    let last = answer.attempts.last().filter(|attempt| attempt.grade != Grade::Correct)?;
-    let same = answer.attempts.iter().rev().take_while(|attempt| attempt.grade == last.grade).count();
+    let last = answer.attempts.last().filter(|attempt| attempt.grade() != Grade::Correct)?;
+    let same = answer.attempts.iter().rev().take_while(|attempt| attempt.grade() == last.grade()).count();
     let number = answer.question + 1;
     (same >= SAME_ERRORS).then(|| words!("question {number}: {same} answers wrong in the same way"))
 }

@@ -2,8 +2,8 @@
 
 use super::progress::progress_text;
 use crate::collection::{Collection, ErrorKind, QuestionTally};
+use crate::grades::grade_name;
 use crate::results::Quantity;
-use desk::play::Grade;
 use report::{Page, escaped};
 use units::{Language, say};
 
@@ -18,8 +18,11 @@ pub fn questions(questions: &[QuestionTally], language: Language) -> String {
         page.element("h3", &say!(language, "Question {number}"));
         // The text of a question is markup of the document, made safe when it was opened.
         page.wrapped("div class=\"prompt\"", &tally.prompt);
-        let (first, last) = (tally.first.text(language), tally.last.text(language));
-        page.element("p", &say!(language, "Right at the first attempt: {first}. At the last: {last}."));
+        let (first, found) = (tally.first.text(language), tally.found.text(language));
+        page.element(
+            "p",
+            &say!(language, "Right at the first attempt: {first}. Found before the answer was shown: {found}."),
+        );
         let (revealed, without) = (tally.revealed, tally.without);
         if without > 0 {
             let text = language.say("Groups that have not tried");
@@ -44,6 +47,9 @@ fn errors(page: &mut Page, errors: &[ErrorKind], language: Language) {
         let example = |(typed, right, count): &(String, String, usize)| {
             let times = if *count > 1 { format!(" (×{count})") } else { String::new() };
             let instead = language.say("instead of");
+            if right.is_empty() {
+                return format!("<q>{}</q>{times}", escaped(typed));
+            }
             format!("<q>{}</q>{times} {instead} {}", escaped(typed), escaped(right))
         };
         let mut examples: Vec<String> = kind.examples.iter().take(MOST_EXAMPLES).map(example).collect();
@@ -52,22 +58,9 @@ fn errors(page: &mut Page, errors: &[ErrorKind], language: Language) {
             examples.push(say!(language, "and {more} more"));
         }
         let groups = format!("#{}", kind.groups);
-        page.row(&[error_name(kind.grade, language), &groups, &examples.join("<br>")]);
+        page.row(&[grade_name(kind.grade, language), &groups, &examples.join("<br>")]);
     }
     page.end_table();
-}
-
-/// Name of a kind of error.
-fn error_name(grade: Grade, language: Language) -> &'static str {
-    match grade {
-        Grade::Correct => language.say("right"),
-        Grade::Close => language.say("nearly right"),
-        Grade::WrongSign => language.say("wrong sign"),
-        Grade::WrongScale => language.say("wrong power of ten"),
-        Grade::Wrong => language.say("wrong"),
-        Grade::Unreadable => language.say("not a number, or another unit"),
-        Grade::Unanswerable => language.say("no answer for these values"),
-    }
 }
 
 /// List of the groups that are stuck, with the reason. While hand-ins are still to be computed, it says so.

@@ -28,9 +28,9 @@ pub fn hand_ins(collection: &Collection, language: Language) -> String {
     page.out
 }
 
-/// Lines about the state of a file: one for its verification, and one for each value that does not follow.
+/// Lines about the state of a file: one for its verification, one for each value that does not follow, and those about its document.
 pub fn state_lines(entry: &Entry, collection: &Collection, language: Language) -> Vec<String> {
-    match entry.state() {
+    let mut lines = match entry.state() {
         State::Waiting(_) => vec![language.say("is being computed").to_owned()],
         State::Unreadable(why) => vec![why.text(language).into_owned()],
         State::Repeated(counts) => {
@@ -38,7 +38,9 @@ pub fn state_lines(entry: &Entry, collection: &Collection, language: Language) -
             vec![say!(language, "was made before {other}, which counts")]
         }
         State::Done(work) => work.verdict.lines(language),
-    }
+    };
+    lines.extend(entry.document().into_iter().flat_map(|difference| difference.lines(language)));
+    lines
 }
 
 /// The first 20 lines about the state of a file.

@@ -61,8 +61,16 @@ fn results(collection: &Collection, language: Language) -> Sheet {
 }
 
 fn answers(collection: &Collection, language: Language) -> Sheet {
-    let mut rows =
-        vec![head(language.say_all(["Group", "Document", "Question", "Attempt", "Typed", "Grade", "Right answer"]))];
+    let mut rows = vec![head(language.say_all([
+        "Group",
+        "Document",
+        "Question",
+        "Attempt",
+        "Typed",
+        "Grade",
+        "Stated grade",
+        "Right answer",
+    ]))];
     for (index, work) in collection.works() {
         for answer in &work.answers {
             for (attempt, number) in answer.attempts.iter().zip(1..) {
@@ -72,8 +80,9 @@ fn answers(collection: &Collection, language: Language) -> Sheet {
                     (answer.question as f64 + 1.0).into(),
                     f64::from(number).into(),
                     attempt.typed.as_str().into(),
-                    attempt.grade.code().into(),
-                    answer.right.as_str().into(),
+                    attempt.grade().code().into(),
+                    attempt.stated.code().into(),
+                    attempt.right.as_str().into(),
                 ]);
             }
         }

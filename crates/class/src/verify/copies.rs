@@ -4,8 +4,8 @@
 //! far less. So the residual of one series after the best shift and scale of the other is compared with the noise, which
 //! is estimated from differences of high order. Rows can have been left out, and times shifted or scaled.
 
+use super::difference::shortened;
 use super::stretched::{Series, TimeMap, maps};
-use super::verdict::shortened;
 use analysis::reading::read;
 use desk::LONGEST_RECORD;
 use saved::Item;

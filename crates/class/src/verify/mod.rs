@@ -4,17 +4,22 @@
 //! This shows that the values follow from the data. It does not show who measured the data or did the work.
 
 mod copies;
+mod difference;
+pub mod documents;
 mod files;
 mod recomputation;
+mod stated;
 mod stretched;
 mod verdict;
 
 pub use copies::{Copied, Curve, Relation, copied, copies};
 pub use desk::write_varied;
+pub use difference::{Difference, GradeDifference};
+pub use documents::DocumentDifference;
 pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;
 pub(crate) use recomputation::document_has_errors;
-pub use verdict::{Difference, OtherBits, Verdict, compare, meaning};
+pub use verdict::{OtherBits, Verdict, compare, meaning};
 
 use saved::hand_in::{HandIn, Sender};
 use saved::project::Project;
@@ -25,18 +30,19 @@ use units::Words;
 /// [`Recomputation`] does it in slices.
 ///
 /// # Errors
-/// If the document of the work cannot be opened.
+/// If the document of the work cannot be opened, or the sender states another seat than the work has.
 pub fn hand_in_with_losses(work: Project, sender: Sender, made: u64) -> Result<(HandIn, Vec<Words>), Words> {
     let recomputation = Recomputation::complete(&work)?;
     let left_out = recomputation.left_out().cloned().collect();
+    let sender = recomputation.seated(sender)?;
     let facts = recomputation.facts();
     Ok((HandIn::new(made, sender, work, facts), left_out))
 }
 
-/// A hand-in as [`hand_in_with_losses`], without the sentences.
+/// A hand-in as [`hand_in_with_losses`], without the sentences; errors likewise.
 ///
 /// # Errors
-/// If the document of the work cannot be opened.
+/// If the document of the work cannot be opened, or the sender states another seat than the work has.
 pub fn hand_in(work: Project, sender: Sender, made: u64) -> Result<HandIn, Words> {
     Ok(hand_in_with_losses(work, sender, made)?.0)
 }

@@ -1,7 +1,8 @@
 //! Computing the values of a hand-in from its work.
 
+use desk::play::SeatView;
 use desk::{Desk, OpenedDocuments, play};
-use saved::hand_in::Fact;
+use saved::hand_in::{Fact, Sender};
 use saved::project::Project;
 use units::{Words, words};
 
@@ -71,6 +72,24 @@ impl Recomputation {
     /// A sentence for each part of the work that could not be restored, and for each fit that could not be repeated.
     pub fn left_out(&self) -> impl Iterator<Item = &Words> {
         self.refused.iter().chain(self.desk.fits().lost())
+    }
+
+    /// The sender with the seat and the assignment of the work.
+    ///
+    /// # Errors
+    /// If the document assigns values and the sender states another seat or assignment.
+    pub(super) fn seated(&self, sender: Sender) -> Result<Sender, Words> {
+        let Some(SeatView { assignment, number }) = self.desk.play().basis().seat() else { return Ok(sender) };
+        if let Some(stated) = sender.seat.filter(|stated| number != Some(*stated)) {
+            return Err(match number {
+                Some(own) => words!("has the values of seat {own}, not of seat {stated}"),
+                None => words!("has the values of no seat, not of seat {stated}"),
+            });
+        }
+        if !sender.assignment.is_empty() && sender.assignment != assignment {
+            return Err(words!("belongs to the assignment {assignment}, not to {stated}", stated = sender.assignment));
+        }
+        Ok(Sender { seat: number, assignment, ..sender })
     }
 
     /// The values that follow from the work.

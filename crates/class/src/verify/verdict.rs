@@ -1,5 +1,7 @@
 //! Comparison of stated values with computed ones.
 
+use super::difference::{Difference, GradeDifference, shortened};
+use super::stated::{Stated, sender_differences, stated_facts};
 use saved::Number;
 use saved::hand_in::{FOLLOWS_NOT, Fact, FactValue, HandIn, Part};
 use std::collections::BTreeMap;
@@ -7,21 +9,6 @@ use units::{Language, Words, say, words};
 
 /// Relative deviation allowed between programs whose results may have other bits.
 const TOLERANCE: f64 = 1e-6;
-
-/// A stated value that does not follow from the work.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
-    /// Part of the work.
-    pub part: Part,
-    /// Name of the record, fit, question or film.
-    pub item: String,
-    /// Name of the quantity.
-    pub quantity: String,
-    /// The stated value; `None` if the hand-in does not state it.
-    pub stated: Option<FactValue>,
-    /// The computed value; `None` if the work does not give it.
-    pub computed: Option<FactValue>,
-}
 
 /// Program whose results may have other bits than those of this program.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,6 +26,11 @@ pub struct Verdict {
     pub equal: usize,
     /// Stated values that do not follow from the work.
     pub differences: Vec<Difference>,
+    /// Answers whose stated grade does not follow.
+    pub grades: Vec<GradeDifference>,
+    /// Number of grades and of looks at right answers that cannot be computed, since work of versions up to 0.2.0 lacks the values
+    /// at that time. They count as stated.
+    pub unknown: usize,
     /// Number of parts of the work that could not be restored.
     pub refused: usize,
     /// Program that made the hand-in, if the bits of its results may be others; numbers may then differ by the relative
@@ -49,7 +41,7 @@ pub struct Verdict {
 impl Verdict {
     /// True if every stated value follows from the work.
     pub fn holds(&self) -> bool {
-        self.differences.is_empty() && self.refused == 0
+        self.differences.is_empty() && self.grades.is_empty() && self.refused == 0
     }
 
     /// Description in lines: the number of equal values, other bits, refused parts, and each difference.
@@ -65,6 +57,14 @@ impl Verdict {
             let refused = self.refused;
             lines.push(say!(language, "parts of the work that could not be restored: {refused}"));
         }
+        if self.unknown > 0 {
+            let unknown = self.unknown;
+            lines.push(say!(
+                language,
+                "grades and looks at answers that count as stated, since versions up to 0.2.0 did not keep the values at that time: {unknown}"
+            ));
+        }
+        lines.extend(self.grades.iter().map(|grade| grade.text(language)));
         lines.extend(self.differences.iter().map(|difference| difference.text(language)));
         lines
     }
@@ -94,29 +94,6 @@ impl OtherBits {
     }
 }
 
-impl Difference {
-    /// One line: place, stated and computed value.
-    pub fn text(&self, language: Language) -> String {
-        let nothing = language.say("nothing");
-        let value = |value: &Option<FactValue>| match value {
-            None => nothing.to_owned(),
-            Some(FactValue::Number(Number(number))) => format!("{number}"),
-            Some(FactValue::Text(text)) => format!("\"{}\"", shortened(text)),
-        };
-        let (stated, computed) = (language.say("stated"), language.say("computed"));
-        let (part, item, quantity) = (self.part.words(), shortened(&self.item), shortened(&self.quantity));
-        let part = part.text(language);
-        format!("{part} \"{item}\", {quantity}: {stated} {}, {computed} {}", value(&self.stated), value(&self.computed))
-    }
-}
-
-/// Text of a stranger in one line of bounded length.
-pub(super) fn shortened(text: &str) -> String {
-    const MOST: usize = 120;
-    let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(MOST).collect();
-    if text.chars().nth(MOST).is_some() { format!("{line}…") } else { line }
-}
-
 /// Explanation of what a verification shows and what it does not.
 pub fn meaning() -> Words {
     words("Equal values follow from the data of the hand-in. This does not show who took the data or did the work.")
@@ -126,12 +103,15 @@ pub fn meaning() -> Words {
 /// not be restored. Values are compared exactly if the hand-in states the bits of this program's results.
 pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize) -> Verdict {
     let other_bits = OtherBits::of(hand_in);
+    let (grades, mut unknown) = GradeDifference::all(computed);
+    let Stated { facts, omitted, looks } = stated_facts(hand_in);
+    unknown += looks;
+    let computed_facts = computed.iter().filter(|fact| !omitted(fact));
     let mut rest: BTreeMap<(Part, &str, &str), &FactValue> =
-        computed.iter().chain(&hand_in.page).map(|fact| (key(fact), &fact.value)).collect();
-    let (mut equal, mut differences) = (0, Vec::new());
+        computed_facts.chain(&hand_in.page).map(|fact| (key(fact), &fact.value)).collect();
+    let (mut equal, mut differences) = (0, sender_differences(hand_in, computed));
     // The data that were saved from a report stand without its page.
-    let stated = hand_in.facts.iter().filter(|fact| fact.part != Part::Report || !hand_in.page.is_empty());
-    for fact in stated {
+    for fact in facts.iter().filter(|fact| fact.part != Part::Report || !hand_in.page.is_empty()) {
         let value = rest.remove(&key(fact));
         if value.is_some_and(|value| is_equal(fact, value, other_bits.is_some())) {
             equal += 1;
@@ -140,7 +120,7 @@ pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize) -> Verdict {
         }
     }
     differences.extend(rest.into_iter().map(|(key, value)| difference(key, None, Some(value))));
-    Verdict { equal, differences, refused, other_bits }
+    Verdict { equal, differences, grades, unknown, refused, other_bits }
 }
 
 fn key(fact: &Fact) -> (Part, &str, &str) {

@@ -70,7 +70,7 @@ fn answers_are_told_apart_by_error_with_examples() {
     let questions = class.questions();
     let [tally] = questions.as_slice() else { panic!("{questions:?}") };
     assert_eq!((tally.first.count, tally.first.of), (1, 4));
-    assert_eq!((tally.last.count, tally.last.of, tally.without), (2, 4, 1));
+    assert_eq!((tally.found.count, tally.found.of, tally.without), (2, 4, 1));
     let kind = |grade: Grade| tally.errors.iter().find(|kind| kind.grade == grade);
     let signs = kind(Grade::WrongSign).unwrap();
     assert_eq!((signs.groups, signs.examples.len()), (1, 3), "{tally:?}");

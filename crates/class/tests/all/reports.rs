@@ -87,14 +87,14 @@ fn manipulate(case: u64) {
     };
     let place = match case % 10 {
         0 => Some(change_fact(&mut changed, "", &mut chance)),
-        3 => Some(change_fact(&mut changed, "standard error", &mut chance)),
+        3 => Some(change_fact(&mut changed, "stderr:", &mut chance)),
         _ => None,
     };
     let part = match case % 10 {
         0 | 3 => None,
         1 | 8 => {
             change_datum(&mut changed, &mut chance);
-            Some((Part::Record, "tube.csv", "mean of y"))
+            Some((Part::Record, "tube.csv", "mean:y"))
         }
         2 => {
             let (from, to, place) = [
@@ -111,7 +111,7 @@ fn manipulate(case: u64) {
         }
         4 => {
             replace(&mut changed, "x'' + 2*gamma*x'", "x'' + 3*gamma*x'");
-            Some((Part::Fit, "Linear damping: tube.csv", "gamma"))
+            Some((Part::Fit, "Linear damping: tube.csv", "value:gamma"))
         }
         5 => {
             let film = changed.work.items.iter().find(|(_, text)| text.contains("\"film\":")).unwrap();
@@ -121,7 +121,7 @@ fn manipulate(case: u64) {
             let time = point.split_once('[').unwrap().1.split_once('[').unwrap().1.split(',').next().unwrap();
             let later: f64 = time.parse::<f64>().unwrap() + 1e-3;
             replace(&mut changed, &point, &point.replacen(time, &format!("{later}"), 1));
-            Some((Part::Film, "tube.mp4", "mean of t [s]"))
+            Some((Part::Film, "tube.mp4", "mean:t [s]"))
         }
         6 => {
             let text = &mut changed.work.documents[0].text;
@@ -197,13 +197,13 @@ fn a_report_with_other_bits_is_compared_within_the_tolerance() {
     let honest = HandIn::open(page.as_bytes()).unwrap();
     let carrying = |factor: f64| {
         let mut made = HandIn { program: "0.0.9".to_owned(), bits: Some(0), ..honest.clone() };
-        let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
+        let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "value:gamma").unwrap();
         let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
         *value *= factor;
         let begin = page.find("<section id=\"hand-in\">").unwrap();
         let end = begin + page[begin..].find("</section>\n").unwrap() + "</section>\n".len();
         let page = [&page[..begin], &page[end..]].concat();
-        let page = saved::carried::carry(&page, made.write().as_bytes(), catalogues::with(units::Language::Spanish));
+        let page = saved::carried::carry(&page, made.write().as_bytes(), units::Language::English);
         verify(&HandIn::open(page.as_bytes()).unwrap()).unwrap()
     };
     let near = carrying(1.0 + 1e-9);
@@ -214,7 +214,7 @@ fn a_report_with_other_bits_is_compared_within_the_tolerance() {
         "{lines:?}"
     );
     let far = carrying(1.01);
-    assert_eq!(far.differences.iter().map(|one| one.quantity.as_str()).collect::<Vec<_>>(), ["gamma"]);
+    assert_eq!(far.differences.iter().map(|one| one.quantity.as_str()).collect::<Vec<_>>(), ["value:gamma"]);
 }
 
 /// A record that was made from a film and then changed, with all values stated to match.

@@ -22,6 +22,12 @@ pub fn linear() -> Vec<Source> {
     vec![Source { name: "linear.md".to_owned(), text }]
 }
 
+/// A lesson with an assigned length, an assigned hidden damping, and a question on each. Seat 7 has L = 39 cm.
+pub fn lesson() -> Vec<Source> {
+    let text = include_str!("support/lesson.md").to_owned();
+    vec![Source { name: "lesson.md".to_owned(), text }]
+}
+
 /// Pseudo-random numbers, normal with standard deviation 1: sums of 12 uniform ones of a linear congruential generator.
 pub struct Noise(u64);
 
@@ -152,6 +158,6 @@ pub fn report(rows: &[(f64, f64)]) -> String {
     let page = desk.fits().export(fit, ExportKind::Report, Imprint::default()).unwrap();
     let page = String::from_utf8(page.bytes).unwrap();
     let work = Project { documents, state: desk.play().share(), items: desk::items_of_fit(&desk, fit, false, 5) };
-    let made = hand_in(work, Sender::default(), 6).unwrap().of_page(&page);
+    let made = hand_in(work, Sender::default(), 6).unwrap().of_page(&page, Language::English);
     carry(&page, &compress_to_vec_zlib(made.write().as_bytes(), 9), Language::English)
 }

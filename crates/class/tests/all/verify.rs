@@ -13,7 +13,7 @@ fn honest_hand_ins_hold_also_from_a_file() {
         let verdict = verify(&read).unwrap();
         assert!(verdict.holds(), "{verdict:?}");
         assert_eq!(verdict.equal, made.facts.len());
-        assert!(made.facts.iter().any(|fact| fact.quantity == "standard error of gamma"), "{:?}", made.facts);
+        assert!(made.facts.iter().any(|fact| fact.quantity == "stderr:value:gamma"), "{:?}", made.facts);
     }
 }
 
@@ -88,12 +88,12 @@ fn every_changed_datum_model_unit_and_setting_is_found() {
 fn results_with_other_bits_are_compared_within_a_tolerance() {
     let mut made = handed(&measured(3), "blue heron");
     (made.program, made.bits) = ("0.0.9".to_owned(), None);
-    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
+    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "value:gamma").unwrap();
     let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
     *value *= 1.0 + 1e-9;
     let verdict = verify(&made).unwrap();
     assert!(verdict.holds() && verdict.other_bits.is_some(), "{verdict:?}");
-    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
+    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "value:gamma").unwrap();
     let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
     *value *= 1.01;
     assert!(!verify(&made).unwrap().holds());
@@ -105,7 +105,7 @@ fn results_with_the_same_bits_are_compared_exactly() {
     let mut made = handed(&measured(3), "blue heron");
     made.program = "0.0.9".to_owned();
     assert_eq!(verify(&made).unwrap().lines(units::Language::English).len(), 1);
-    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "gamma").unwrap();
+    let gamma = made.facts.iter_mut().find(|fact| fact.quantity == "value:gamma").unwrap();
     let FactValue::Number(Number(value)) = &mut gamma.value else { panic!("a number") };
     *value *= 1.0 + 1e-9;
     let verdict = verify(&made).unwrap();
@@ -123,6 +123,25 @@ fn work_of_version_0_2_0_is_opened_and_compared_within_a_tolerance() {
         assert!(verdict.holds() && verdict.equal > 100, "{file}: {lines:#?}");
         let reason = "made by version 0.2.0, which does not state the bits of its results";
         assert!(lines.iter().any(|line| line.starts_with(reason) && line.contains("1e-6")), "{file}: {lines:#?}");
+    }
+}
+
+/// Changes to a report of version 0.2.0 beside its hashed sections, and the place that is named. Line ends are no change.
+#[test]
+fn changes_around_a_report_of_version_0_2_0_are_named() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/0.2.0/report.html");
+    let page = std::fs::read_to_string(path).unwrap();
+    let verified = |page: &str| verify(&HandIn::open(page.as_bytes()).unwrap()).unwrap();
+    assert!(verified(&page.replace('\n', "\r\n")).holds());
+    for (from, to, place) in [
+        ("</style>", "td { display: none }</style>", "style:1"),
+        ("</head>", "<script>document.title = 1</script></head>", "foreign:1"),
+        ("<body>", "<h1>g = 10.50</h1><body>", "head"),
+        ("<section id=\"hand-in\">", "<section id=\"hand-in\"><h1>g = 10.50</h1>", "own-section"),
+    ] {
+        let verdict = verified(&page.replacen(from, to, 1));
+        assert!(!verdict.holds(), "{place}");
+        assert!(verdict.differences.iter().any(|one| one.quantity == place), "{place}: {:?}", verdict.differences);
     }
 }
 

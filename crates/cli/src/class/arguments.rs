@@ -94,6 +94,10 @@ pub struct Report {
     #[arg(value_name = "FILE", required = true)]
     pub paths: Vec<PathBuf>,
 
+    /// The document of the lesson: hand-ins with another one are named, and answers are graded by it. Can be repeated
+    #[arg(long, value_name = "DOC")]
+    pub document: Vec<PathBuf>,
+
     /// The form of the report [default: by the ending of FILE, or text]
     #[arg(long, value_enum)]
     pub format: Option<ReportFormat>,

@@ -5,6 +5,7 @@ mod assign;
 mod report;
 mod server;
 mod server_arguments;
+mod stored;
 mod survey;
 
 use crate::failure::Failure;

@@ -21,7 +21,7 @@ use units::{Language, words};
 /// A file cannot be read, or no hand-in has a fit or an answer.
 pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
     // The paths given may be folders; none of the hand-ins in them is to be overwritten.
-    let (class, paths) = computed(&arguments.paths, terminal.language)?;
+    let (class, paths) = computed(&arguments.paths, &arguments.document, terminal.language)?;
     for entry in class.entries() {
         if let State::Unreadable(why) = entry.state() {
             terminal.print(&format!("{} {}\n", entry.file(), why.text(terminal.language)));

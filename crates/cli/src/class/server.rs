@@ -1,25 +1,29 @@
 //! `meniscus class serve`, `backup`, `restore`, `erase`, `export`: the class server on this computer.
 
-use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, Restore, ServeClass, StorePlace};
+use super::server_arguments::{Backup, ClassServer, Erase, ExportClass, ListClasses, Restore, ServeClass, StorePlace};
+use super::stored;
 use crate::failure::Failure;
 use crate::load;
 use crate::page;
-use crate::terminal::Terminal;
+use crate::terminal::{Terminal, output};
+use class::grading;
 use document::page::POLICY;
+use program::{Program, Seat};
 use runner::Loaded;
 use server::class::{Class, Classes};
 use server::http::{Place, Server};
-use server::pages::{Document, Pages};
+use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::{Location, back_up, restore};
 use server::{Fault, Store, export, listen, now, qr};
 use std::future::Future;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::time::interval;
-use units::{Words, words};
+use units::{Language, Words, words};
 
 /// First port that is tried, and the number of ports.
 const PORT: u16 = 4250;
@@ -53,6 +57,7 @@ pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
         }),
         ClassServer::Erase(arguments) => blocking(erase(arguments)),
         ClassServer::Export(arguments) => blocking(write_files(arguments, terminal)),
+        ClassServer::List(arguments) => blocking(list(arguments, terminal)),
     }
 }
 
@@ -83,8 +88,8 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
     let classes = store.classes().await.map_err(fails)?;
     match arguments.seat {
         Some(seat) => {
-            let class = classes.first().ok_or_else(|| fails(Fault::Missing))?;
-            store.erase_seat(class.class.clone(), seat).await.map_err(fails)?;
+            let class = stored::chosen(classes, arguments.class.as_deref(), fails)?;
+            store.erase_seat(class.class, seat).await.map_err(fails)?;
         }
         None => {
             for class in classes {
@@ -95,12 +100,24 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
     store.rewrite().await.map_err(fails)
 }
 
+async fn list(arguments: &ListClasses, terminal: Terminal) -> Result<(), Failure> {
+    let location = location(&arguments.place)?;
+    let fails = |fault| about(&location, &fault);
+    let store = Store::existing(&location).await.map_err(fails)?;
+    let mut lines = String::new();
+    for class in store.classes().await.map_err(fails)? {
+        lines += &stored::line(&store, &class, terminal.language).await.map_err(fails)?;
+        lines.push('\n');
+    }
+    output::print(&lines)
+}
+
 async fn write_files(arguments: &ExportClass, terminal: Terminal) -> Result<(), Failure> {
     let location = location(&arguments.place)?;
     let fails = |fault| about(&location, &fault);
     let store = Store::existing(&location).await.map_err(fails)?;
     let classes = store.classes().await.map_err(fails)?;
-    let class = classes.first().ok_or_else(|| fails(Fault::Missing))?;
+    let class = stored::chosen(classes, arguments.class.as_deref(), fails)?;
     let files = export::files(&store, &class.class).await.map_err(fails)?;
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|error| Failure::file("write", folder, &error))?;
@@ -121,6 +138,19 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         let fails = |fault| about(&location, &fault);
         let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
+        let known = classes.store().classes().await.map_err(fails)?;
+        if let Some(class) = known.first() {
+            let line = stored::line(classes.store(), class, terminal.language).await.map_err(fails)?;
+            if !arguments.new && !arguments.goes_on {
+                return Err(Failure::in_words(
+                    words!("{location} has a class: {line}", location = location.to_string()),
+                    words("`--continue` goes on with it, `--new` begins another one"),
+                ));
+            }
+            if arguments.goes_on {
+                terminal.print(&format!("{line}\n"));
+            }
+        }
         let class = match arguments.new {
             true => classes.begin(&title, arguments.keep, now()).await,
             false => classes.latest_or_begin(&title, arguments.keep, now()).await,
@@ -169,9 +199,24 @@ fn documents(arguments: &ServeClass, terminal: Terminal) -> Result<Vec<Document>
             return Err(Failure::about(path, &why));
         }
         let (title, has_seats) = (document.program.title.clone(), document.program.has_seats());
-        documents.push(Document { name, title, has_seats, html });
+        let grader = grader(document.program.clone(), terminal.language);
+        let source = |source: document::page::Source| Source { name: source.name, text: source.text };
+        let sources = loaded.sources.embedded().into_iter().map(source).collect();
+        documents.push(Document { name, title, has_seats, html, sources, grader });
     }
     Ok(documents)
+}
+
+/// Grades by a program, with the values of the seat of each student.
+fn grader(program: Program, language: Language) -> Grader {
+    let grading = Mutex::new(grading::Grader::new(program, language.tag()));
+    Grader::new(move |seat, question, item| {
+        // A fault in the grading of one answer leaves nothing half done.
+        let mut grading = grading.lock().unwrap_or_else(PoisonError::into_inner);
+        let answer = grading.answer(Seat::new(seat), question, item)?;
+        let typed = answer.attempts.last()?.typed.clone();
+        Some(Given { typed, is_right: answer.found })
+    })
 }
 
 /// True if a proxy in front of the server encrypts.

@@ -19,8 +19,10 @@ pub enum ClassServer {
     Restore(Restore),
     /// Erase a seat, or everything
     Erase(Erase),
-    /// Write all hand-ins and answers to surveys of the latest class into a folder
+    /// Write all hand-ins and answers to surveys of a class into a folder
     Export(ExportClass),
+    /// List the classes of a store: code, title, day, seats
+    List(ListClasses),
 }
 
 const SERVE_EXAMPLES: &str = "\
@@ -28,10 +30,10 @@ Examples:
   meniscus class serve tube.md                     a class in the local network
   meniscus class serve tube.md --lab --keep 7      with records, films and fits; erased after 7 days
   meniscus class serve tube.md --public https://class.example --tls behind-proxy --port 8080
-  meniscus class serve tube.md --store postgres://meniscus@db.example/class   one of several servers of a class
+  meniscus class serve tube.md --continue --store postgres://meniscus@db.example/class   one of several servers of a class
 
-The screen shows the address and the code for students, and a link for the teacher, which works once. A second start with the same store
-goes on with the class; --new begins another one. Without --tls the dashboard answers to this computer only.";
+The screen shows the address and the code for students, and a link for the teacher, which works once. Where the store has a
+class, --continue goes on with it, and --new begins another one. Without --tls the dashboard answers to this computer only.";
 
 /// Where a store is.
 #[derive(Debug, Args)]
@@ -66,6 +68,10 @@ pub struct ServeClass {
     /// Begin a new class even if the store has one
     #[arg(long)]
     pub new: bool,
+
+    /// Go on with the latest class of the store, if it has one
+    #[arg(long = "continue", conflicts_with = "new")]
+    pub goes_on: bool,
 
     /// Address under which students reach the server, such as https://class.example
     #[arg(long, value_name = "URL")]
@@ -112,9 +118,13 @@ pub struct Erase {
     #[command(flatten)]
     pub place: StorePlace,
 
-    /// Seat of the latest class to erase
+    /// Seat to erase
     #[arg(long, value_name = "N", required_unless_present = "all", conflicts_with = "all")]
     pub seat: Option<u32>,
+
+    /// Code or title of the class of the seat [default: the latest class]
+    #[arg(long, value_name = "NAME", conflicts_with = "all")]
+    pub class: Option<String>,
 
     /// Erase all classes of the store
     #[arg(long)]
@@ -127,7 +137,18 @@ pub struct ExportClass {
     #[command(flatten)]
     pub place: StorePlace,
 
+    /// Code or title of the class [default: the latest class]
+    #[arg(long, value_name = "NAME")]
+    pub class: Option<String>,
+
     /// Folder for the files, which is made if there is none
     #[arg(long, short, value_name = "FOLDER")]
     pub output: PathBuf,
+}
+
+/// `meniscus class list`
+#[derive(Debug, Args)]
+pub struct ListClasses {
+    #[command(flatten)]
+    pub place: StorePlace,
 }

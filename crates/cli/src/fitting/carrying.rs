@@ -22,7 +22,7 @@ const AGREEMENT: f64 = 1e-3;
 pub fn carrying(page: &str, fitted: &[&Fitted], data: &[Measured], arguments: &Common) -> String {
     let language = fitted.first().map_or(Language::English, |one| Language::of(&one.theory.document.program.language));
     match work(fitted, data, arguments).and_then(|work| hand_in(work, fitted, arguments)) {
-        Ok(hand_in) => carry(page, &packed(&hand_in.of_page(page)), language),
+        Ok(hand_in) => carry(page, &packed(&hand_in.of_page(page, language)), language),
         Err(why) => {
             let why = words!("This page does not carry its data, and cannot be verified: {why}.");
             carry_nothing(page, &why.text(language), language)
@@ -61,8 +61,8 @@ fn agrees(facts: &[Fact], theory: &str, outcome: &Outcome) -> bool {
     determined.into_iter().all(|Estimate { name, value, stderr, stderr_hac, .. }| {
         let error = stderr_hac.or(*stderr).unwrap_or(f64::NAN);
         let within = if error.is_finite() { AGREEMENT * error } else { AGREEMENT * value.abs() };
-        number(name, *value, within.max(f64::MIN_POSITIVE))
-            && number(&format!("standard error of {name}"), error, 2.0 * AGREEMENT * error.abs())
+        number(&format!("value:{name}"), *value, within.max(f64::MIN_POSITIVE))
+            && number(&format!("stderr:value:{name}"), error, 2.0 * AGREEMENT * error.abs())
     })
 }
 

@@ -32,7 +32,9 @@ pub fn fit(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
         let command = command::typed();
         let report = fitted.report(&notes, &command);
         let bytes = match kind {
-            FileKind::Html => with_font(&carrying(&report::html(&report), &[&fitted], &data, &arguments.common)),
+            FileKind::Html => {
+                carrying(&with_font(&report::html(&report)), &[&fitted], &data, &arguments.common).into_bytes()
+            }
             FileKind::Xlsx => report::workbook(&report),
             FileKind::Csv => report::csv(&report, false).into_bytes(),
             FileKind::Svg => report::figure(&report).into_bytes(),
@@ -102,7 +104,7 @@ pub fn kind(path: &Path) -> Result<FileKind, Failure> {
 }
 
 /// Embeds the mathematical font of the laboratory in a report, because the reader's machine may not have one.
-pub fn with_font(page: &str) -> Vec<u8> {
+pub fn with_font(page: &str) -> String {
     const FONT: &[u8] = include_bytes!("../../../view/page/math.woff2");
-    report::with_math_font(page, &base64::engine::general_purpose::STANDARD.encode(FONT)).into_bytes()
+    report::with_math_font(page, &base64::engine::general_purpose::STANDARD.encode(FONT))
 }

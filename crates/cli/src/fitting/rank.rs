@@ -55,7 +55,7 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
             FileKind::Csv => report::ranking_csv(&ranking, false).into_bytes(),
             FileKind::Html | FileKind::Svg => {
                 let fitted: Vec<&Fitted> = contenders.iter().map(|one| &one.fitted).collect();
-                with_font(&carrying(&report::ranking_html(&ranking), &fitted, &data, &arguments.common))
+                carrying(&with_font(&report::ranking_html(&ranking)), &fitted, &data, &arguments.common).into_bytes()
             }
         };
         output::file(path, &arguments.data, &bytes)?;

@@ -42,10 +42,11 @@ Examples:
   meniscus verify group-3.hand-in             computes every value again from the data, and compares the bits
   meniscus verify report.html                 a report that carries its data
   meniscus verify hand-ins/                   all hand-ins and reports in a folder, and data that two of them share
+  meniscus verify hand-ins/ --document tube.md   also compares their documents with this one
   meniscus verify hand-ins/ --format json
 
-The exit code is 1 if a value does not follow from its data, a file is damaged, or two hand-ins share measured data. Equal values show
-that the results follow from the data; they do not show who took the data or did the work.";
+The exit code is 1 if a value does not follow from its data, a file is damaged, a document is not that of --document, or two hand-ins
+share measured data. Equal values show that the results follow from the data; they do not show who took the data or did the work.";
 
 /// `meniscus verify`
 #[derive(Debug, Args)]
@@ -53,6 +54,10 @@ pub struct Verify {
     /// Hand-ins, reports that carry their data, or folders of them
     #[arg(value_name = "FILE", required = true)]
     pub paths: Vec<PathBuf>,
+
+    /// The document of the lesson: hand-ins with another one are named, and answers are graded by it. Can be repeated
+    #[arg(long, value_name = "DOC")]
+    pub document: Vec<PathBuf>,
 
     /// Form of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -1,7 +1,8 @@
 //! Reading of hand-ins and projects.
 
 use crate::failure::Failure;
-use class::collection::Collection;
+use crate::load;
+use class::collection::{Collection, References};
 use saved::hand_in::{HAND_IN_ENDING, HandIn, HandInError, LONGEST_HAND_IN};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -29,12 +30,19 @@ pub fn files_in(folder: &Path, is_wanted: impl Fn(&str) -> bool) -> Result<Vec<P
 }
 
 /// The hand-ins of files and folders, in the order of their names, computed again. Of the pages in a folder only those that
-/// carry the data of a hand-in are taken. Also returns the paths of the files.
+/// carry the data of a hand-in are taken. `documents`: the teacher's, if there are any. Also returns the paths of the files.
 ///
 /// # Errors
 /// A file or folder cannot be read, or a folder has no hand-ins.
-pub fn computed(paths: &[PathBuf], language: Language) -> Result<(Collection, Vec<PathBuf>), Failure> {
+pub fn computed(
+    paths: &[PathBuf],
+    documents: &[PathBuf],
+    language: Language,
+) -> Result<(Collection, Vec<PathBuf>), Failure> {
     let (mut class, mut taken) = (Collection::new(language), Vec::new());
+    let references =
+        documents.iter().map(|path| Ok(load::sources(path)?.embedded())).collect::<Result<_, Failure>>()?;
+    class.set_references(References::given(references));
     for path in paths {
         if !path.is_dir() {
             class.add(&path.to_string_lossy(), read(path)?);

@@ -3,19 +3,22 @@
 use crate::terminal::visible::visible;
 use class::collection::{Collection, Entry, State};
 use class::page::state_lines;
-use class::verify::{Copied, Relation, Verdict, meaning};
+use class::verify::documents::{ChangedLine, ComparedWith};
+use class::verify::{Copied, DocumentDifference, GradeDifference, Relation, Verdict, meaning};
 use saved::hand_in::FactValue;
 use serde_json::{Value, json};
 use units::Language;
 
-/// True if all values follow from their data, and no measured data are shared.
+/// True if all values follow from their data, all documents are among the given ones, and no measured data are shared.
 pub fn holds(class: &Collection) -> bool {
     let holds = |entry: &Entry| match entry.state() {
         State::Done(work) => work.verdict.holds(),
         State::Repeated(_) => true,
         State::Unreadable(_) | State::Waiting(_) => false,
     };
-    class.entries().iter().all(holds) && class.copies().iter().all(|copied| copied.is_common_source)
+    let is_given = |entry: &Entry| entry.document().is_none_or(|difference| difference.with != ComparedWith::Teacher);
+    class.entries().iter().all(|entry| holds(entry) && is_given(entry))
+        && class.copies().iter().all(|copied| copied.is_common_source)
 }
 
 fn file(class: &Collection, index: usize) -> &str {
@@ -62,6 +65,9 @@ pub fn json(class: &Collection, language: Language) -> String {
                 "equal": work.verdict.equal,
                 "not_restored": work.verdict.refused,
                 "other_bits": work.verdict.other_bits.as_ref().map(|other| json!({"version": other.version, "bits": other.bits})),
+                "unknown": work.verdict.unknown,
+                "grades": work.verdict.grades.iter().map(|one| grade(one, language)).collect::<Vec<_>>(),
+                "document": entry.document().map(|difference| document(difference, language)),
                 "differences": differences(&work.verdict, language),
             }),
         }
@@ -86,6 +92,28 @@ pub fn json(class: &Collection, language: Language) -> String {
         "meaning": meaning().text(language),
     });
     format!("{whole:#}\n")
+}
+
+fn document(difference: &DocumentDifference, language: Language) -> Value {
+    let line = |line: &ChangedLine| json!({"file": line.file, "line": line.line, "own": line.own, "other": line.other});
+    json!({
+        "with": match difference.with {
+            ComparedWith::Teacher => json!("given document"),
+            ComparedWith::Groups(count) => json!({"hand_ins": count}),
+        },
+        "lines": difference.lines.iter().map(line).collect::<Vec<_>>(),
+        "text": difference.lines(language).join("; "),
+    })
+}
+
+fn grade(one: &GradeDifference, language: Language) -> Value {
+    json!({
+        "question": one.question,
+        "attempt": one.attempt,
+        "stated": one.stated.code(),
+        "computed": one.computed.code(),
+        "text": one.text(language),
+    })
 }
 
 fn differences(verdict: &Verdict, language: Language) -> Vec<Value> {

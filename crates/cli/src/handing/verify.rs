@@ -12,7 +12,7 @@ use crate::terminal::output::print;
 /// # Errors
 /// A file cannot be read. [`Failure::Document`] if a hand-in does not hold.
 pub fn verify(arguments: &Verify, terminal: Terminal) -> Result<(), Failure> {
-    let (class, _) = computed(&arguments.paths, terminal.language)?;
+    let (class, _) = computed(&arguments.paths, &arguments.document, terminal.language)?;
     let result = match arguments.format {
         Format::Text => text(&class, terminal.language),
         Format::Json => json(&class, terminal.language),

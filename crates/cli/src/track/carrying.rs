@@ -37,7 +37,7 @@ pub struct Tracked<'a> {
 /// A report with the data of its film. Without them it states the reason.
 pub fn carrying(page: &str, tracked: Tracked<'_>, language: Language) -> String {
     match hand_in(tracked) {
-        Ok(hand_in) => carry(page, &packed(&hand_in.of_page(page)), language),
+        Ok(hand_in) => carry(page, &packed(&hand_in.of_page(page, language)), language),
         Err(why) => {
             let why = words!("This page does not carry the tracked points, and cannot be verified: {why}.");
             carry_nothing(page, &why.text(language), language)

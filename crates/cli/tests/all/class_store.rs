@@ -66,6 +66,34 @@ fn a_store_is_exported_backed_up_erased_and_restored() {
     assert_eq!(meniscus(&["class", "export", "--store", file, "--output", out]).code, 2);
 }
 
+/// A store with two classes: the second one is the latest.
+#[test]
+fn every_class_of_a_store_can_be_reached_and_none_is_continued_unasked() {
+    let folder = tempfile::tempdir().unwrap();
+    let [file, out] = ["class.sqlite", "out"].map(|name| folder.path().join(name));
+    store(&file, &["first"]);
+    store(&file, &["second", "third"]);
+    let [file, out] = [&file, &out].map(|path| path.to_str().unwrap());
+    let listed = meniscus(&["class", "list", "--store", file]).stdout;
+    let lines: Vec<&str> = listed.lines().collect();
+    assert!(
+        lines.len() == 2 && lines[0].contains(": Tubes, begun on 20") && lines[1].contains("seats: 1, erased on"),
+        "{listed}"
+    );
+    let code = lines[1].split(':').next().unwrap();
+    let export = |class: &str| meniscus(&["class", "export", "--store", file, "--class", class, "--output", out]);
+    assert_eq!(export(code).stderr, "files written: 2\n");
+    assert!(export("Tubes").stderr.contains("several classes Tubes") && export("x").stderr.contains("no class x"));
+    assert_eq!(meniscus(&["class", "erase", "--store", file, "--class", code, "--seat", "1"]).code, 0);
+    let listed = meniscus(&["class", "list", "--store", file]).stdout;
+    assert!(listed.lines().next().unwrap().contains("seats: 2"), "{listed}");
+    assert!(listed.lines().nth(1).unwrap().contains("seats: 0"), "{listed}");
+    let document = concat!(env!("CARGO_MANIFEST_DIR"), "/../../simulations/utube.md");
+    let served = meniscus(&["class", "serve", document, "--store", file]);
+    assert_eq!(served.code, 2);
+    assert!(served.stderr.contains("has a class: ") && served.stderr.contains("--continue"), "{}", served.stderr);
+}
+
 #[test]
 fn a_file_that_is_no_store_is_named_with_the_remedy() {
     let folder = tempfile::tempdir().unwrap();

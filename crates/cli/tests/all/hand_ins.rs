@@ -90,7 +90,7 @@ fn damaged_repeated_changed_and_copied_hand_ins_are_told_apart() {
     let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).unwrap();
     write("cut.hand-in", &honest[..honest.len() / 2]);
     write("other.hand-in", "{}");
-    write("later.hand-in", &honest.replace("\"meniscus hand-in\":1", "\"meniscus hand-in\":2"));
+    write("later.hand-in", &honest.replace("\"meniscus hand-in\":2", "\"meniscus hand-in\":3"));
     write("changed.hand-in", &honest.replace("1.967,", "1.968,").replace("\"name\":\"a\"", "\"name\":\"b\""));
     let before = honest.find("\"made\":").unwrap() + 7;
     write("again.hand-in", &format!("{}1{}", &honest[..before], &honest[before..]));
@@ -205,4 +205,27 @@ fn the_results_of_a_class_are_pooled() {
     let before = std::fs::read(&own).unwrap();
     let over = meniscus(&["class", "report", folder_name, "--output", own.to_str().unwrap()]);
     assert_eq!((over.code, std::fs::read(&own).unwrap()), (2, before), "{}", over.stderr);
+}
+
+/// A tolerance that was changed in the document of one hand-in, beside the document of the lesson.
+#[test]
+fn a_document_that_is_not_the_given_one_is_named_with_its_lines() {
+    let directory = tempfile::tempdir().unwrap();
+    let (project, folder) = (project(directory.path()), directory.path().join("in"));
+    handed(&project, &folder, "a");
+    let changed = std::fs::read_to_string(&project).unwrap().replace("Damping rate", "Rate of damping");
+    assert_ne!(changed, std::fs::read_to_string(&project).unwrap());
+    std::fs::write(&project, changed).unwrap();
+    handed(&project, &folder, "b");
+    let document = directory.path().join("linear.md");
+    std::fs::write(&document, DOCUMENT.replace('\n', "\r\n")).unwrap();
+    let (document, folder) = (document.to_str().unwrap(), folder.to_str().unwrap());
+    let done = meniscus(&["verify", folder, "--document", document, "--format", "json"]);
+    let found: Value = serde_json::from_str(&done.stdout).unwrap();
+    let of = |index: usize| found["hand_ins"][index]["document"].clone();
+    assert_eq!((done.code, of(0)), (1, Value::Null));
+    assert_eq!(of(1)["with"], "given document");
+    assert!(of(1)["lines"][0]["own"].as_str().unwrap().contains("Rate of damping"), "{found:#}");
+    let text = meniscus(&["verify", folder, "--document", document]).stdout;
+    assert!(text.contains("its document differs from the given one; lines that differ: "), "{text}");
 }

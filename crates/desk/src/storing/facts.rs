@@ -44,22 +44,22 @@ pub fn facts(desk: &Desk) -> Vec<Fact> {
 fn facts_of_record(record: &Record, item: &str, facts: &mut Facts) {
     for (index, (column, used)) in record.table().columns.iter().zip(record.uses()).enumerate() {
         let label = record.table().label(index);
-        facts.number(Part::Record, item, format!("mean of {label}"), mean(&column.values));
+        facts.number(Part::Record, item, format!("mean:{label}"), mean(&column.values));
         let meaning = &used.meaning;
         if !meaning.quantity.is_empty() {
             let fitted = if used.fitted { ", fitted" } else { "" };
             let text = format!("{} [{}]{fitted}", meaning.quantity, meaning.unit.text);
-            facts.text(Part::Record, item, &format!("meaning of {label}"), text);
+            facts.text(Part::Record, item, &format!("meaning:{label}"), text);
         }
         if used.offset != 0.0 {
-            facts.number(Part::Record, item, format!("zero of {label}"), used.offset);
+            facts.number(Part::Record, item, format!("zero:{label}"), used.offset);
         }
     }
     if let Some(origin) = record.fitted_origin() {
         facts.number(Part::Record, item, "origin", origin.reading);
     }
     for (name, value) in record.known() {
-        facts.number(Part::Record, item, format!("known {name}"), *value);
+        facts.number(Part::Record, item, format!("known:{name}"), *value);
     }
 }
 
@@ -85,10 +85,10 @@ fn facts_of_film(work: &Work, item: &str, facts: &mut Facts) {
     let points: usize = work.tracks().iter().map(|track| track.points.len()).sum();
     facts.number(Part::Film, item, "points", points as f64);
     for (head, values) in table.columns() {
-        facts.number(Part::Film, item, format!("mean of {head}"), mean(values));
+        facts.number(Part::Film, item, format!("mean:{head}"), mean(values));
     }
     if let Some(error) = work.calibration.relative_sigma() {
-        facts.number(Part::Film, item, "relative error of the lengths", error);
+        facts.number(Part::Film, item, "length-error", error);
     }
 }
 

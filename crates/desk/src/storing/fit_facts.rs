@@ -18,7 +18,7 @@ pub(super) fn facts_of_fit(fit: &Fitted, facts: &mut Facts) {
         record.map_or(String::new(), |record| format!(" ({})", record.name))
     };
     for (place, one) in outcome.parameters.iter().chain(&outcome.derived).enumerate() {
-        let kind = if place < outcome.parameters.len() { "" } else { "derived " };
+        let kind = if place < outcome.parameters.len() { "value:" } else { "derived:" };
         estimate(one, &format!("{kind}{}{}", one.name, of_record(one.record)), item, facts);
     }
     facts_of_fixed(fit, item, facts);
@@ -31,41 +31,41 @@ pub(super) fn facts_of_fit(fit: &Fitted, facts: &mut Facts) {
                     .get(index)
                     .map_or(String::new(), |one| format!("{}{}", one.name, of_record(one.record)))
             };
-            facts.number(Part::Fit, item, format!("correlation of {} and {}", name(row), name(column)), *correlation);
+            facts.number(Part::Fit, item, format!("correlation:{} and {}", name(row), name(column)), *correlation);
         }
     }
     for one in &outcome.observations {
         let label = format!("{}{}", one.name, of_record(Some(one.record)));
-        facts.number(Part::Fit, item, format!("residual of {label}"), one.rmse);
+        facts.number(Part::Fit, item, format!("residual:{label}"), one.rmse);
         if let Some(outside) = one.outside {
-            facts.number(Part::Fit, item, format!("predicted values of {label}"), outside.n as f64);
-            facts.number(Part::Fit, item, format!("error of the prediction of {label}"), outside.rmse);
+            facts.number(Part::Fit, item, format!("predicted:{label}"), outside.n as f64);
+            facts.number(Part::Fit, item, format!("prediction-error:{label}"), outside.rmse);
         }
     }
     for scale in &outcome.scales {
         let label = of_record(Some(scale.record));
-        facts.number(Part::Fit, item, format!("scale of the film{label}"), scale.value);
-        facts.number(Part::Fit, item, format!("standard error of the scale{label}"), scale.stderr.unwrap_or(f64::NAN));
+        facts.number(Part::Fit, item, format!("scale:{label}"), scale.value);
+        facts.number(Part::Fit, item, format!("scale-stderr:{label}"), scale.stderr.unwrap_or(f64::NAN));
     }
     for (record, origin) in outcome.origins.iter().enumerate() {
-        facts.number(Part::Fit, item, format!("begin of the model{}", of_record(Some(record))), *origin);
+        facts.number(Part::Fit, item, format!("begin:{}", of_record(Some(record))), *origin);
     }
 }
 
 fn criteria(outcome: &Outcome, item: &str, facts: &mut Facts) {
     let reweighted = outcome.reweighted.is_some();
     let numbers = [
-        ("values", Some(outcome.n as f64)),
-        ("degrees of freedom", Some(outcome.dof as f64)),
-        ("RMSE", Some(outcome.rmse)),
-        ("sum of squares", Some(outcome.chi2)),
-        ("reduced chi-square", outcome.chi2_reduced),
-        ("R2", Some(outcome.r2).filter(|_| !reweighted)),
-        ("AICc", outcome.aicc),
-        ("BIC", Some(outcome.bic)),
-        ("Durbin-Watson", Some(outcome.durbin_watson)),
+        ("n", Some(outcome.n as f64)),
+        ("dof", Some(outcome.dof as f64)),
+        ("rmse", Some(outcome.rmse)),
+        ("chi2", Some(outcome.chi2)),
+        ("chi2-reduced", outcome.chi2_reduced),
+        ("r2", Some(outcome.r2).filter(|_| !reweighted)),
+        ("aicc", outcome.aicc),
+        ("bic", Some(outcome.bic)),
+        ("durbin-watson", Some(outcome.durbin_watson)),
         ("autocorrelation", Some(outcome.autocorrelation)),
-        ("independent values", Some(outcome.independent)),
+        ("independent", Some(outcome.independent)),
         ("outliers", Some(outcome.outliers.len() as f64)),
     ];
     for (name, value) in numbers {
@@ -79,14 +79,14 @@ fn criteria(outcome: &Outcome, item: &str, facts: &mut Facts) {
 fn estimate(one: &Estimate, label: &str, item: &str, facts: &mut Facts) {
     let Estimate { value, stderr, stderr_hac, unit, .. } = one;
     facts.number(Part::Fit, item, label, *value);
-    facts.text(Part::Fit, item, &format!("unit of {label}"), unit.text.clone());
-    facts.number(Part::Fit, item, format!("standard error of {label}"), stderr_hac.or(*stderr).unwrap_or(f64::NAN));
+    facts.text(Part::Fit, item, &format!("unit:{label}"), unit.text.clone());
+    facts.number(Part::Fit, item, format!("stderr:{label}"), stderr_hac.or(*stderr).unwrap_or(f64::NAN));
     if let (Some(error), Some(_)) = (stderr, stderr_hac) {
-        facts.number(Part::Fit, item, format!("standard error of {label}, independent residuals"), *error);
+        facts.number(Part::Fit, item, format!("stderr-independent:{label}"), *error);
     }
     if let Some((low, high)) = one.interval() {
-        facts.number(Part::Fit, item, format!("lower end of the interval of {label}"), low);
-        facts.number(Part::Fit, item, format!("upper end of the interval of {label}"), high);
+        facts.number(Part::Fit, item, format!("low:{label}"), low);
+        facts.number(Part::Fit, item, format!("high:{label}"), high);
     }
 }
 
@@ -101,8 +101,8 @@ fn facts_of_fixed(fit: &Fitted, item: &str, facts: &mut Facts) {
         let is_same = values.windows(2).all(|pair| pair[0].to_bits() == pair[1].to_bits());
         for (value, record) in values.iter().zip(&fit.task.records).take(if is_same { 1 } else { values.len() }) {
             let record = if is_same { String::new() } else { format!(" ({})", record.name) };
-            let label = format!("fixed {}{record}", parameter.name);
-            facts.text(Part::Fit, item, &format!("unit of {label}"), parameter.unit.text.clone());
+            let label = format!("fixed:{}{record}", parameter.name);
+            facts.text(Part::Fit, item, &format!("unit:{label}"), parameter.unit.text.clone());
             facts.number(Part::Fit, item, label, *value);
         }
     }

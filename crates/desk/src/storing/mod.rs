@@ -12,10 +12,10 @@ mod project;
 mod tracks;
 mod visit;
 
-pub use answers::{restore_answer, saved_answers};
+pub use answers::{answer_of_item, restore_answer, saved_answers};
 pub use facts::facts;
 pub use link::restore;
-pub use project::{items_of_fit, project_items, take_project_items};
+pub use project::{items_of_fit, merge_project_items, project_items, take_project_items};
 pub use visit::{Visit, document_data};
 
 pub(crate) use films::read as film;

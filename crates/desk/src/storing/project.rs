@@ -1,6 +1,6 @@
 //! Items of a project file besides its document.
 
-use super::answers::{restore_answer, saved_answers};
+use super::answers::{answer_of_item, restore_answer, saved_answers};
 use super::films::MOST_WORKS;
 use crate::fits::fit::Fitted;
 use crate::{Desk, MOST_FITS, MOST_RECORDS};
@@ -66,6 +66,17 @@ pub fn take_project_items(desk: &mut Desk, items: &[(String, String)]) -> Vec<Wo
         here.extend(taken);
     }
     refused
+}
+
+/// Adds the items that another device of the same person has stored. Answers get the attempts of both; other items are added if they are
+/// missing here. Returns a sentence for each item that could not be restored, with the reason.
+pub fn merge_project_items(desk: &mut Desk, items: &[(String, String)]) -> Vec<Words> {
+    let answer = |text: &str| Item::read(text).and_then(|(_, item)| answer_of_item(&item));
+    let (answers, others): (Vec<_>, Vec<_>) = items.iter().cloned().partition(|(_, text)| answer(text).is_some());
+    for (name, answer) in answers.iter().filter_map(|(name, text)| Some((name, answer(text)?))) {
+        desk.play_mut().change_answers(|answers, run| answers.merge(run, name, &answer));
+    }
+    take_project_items(desk, &others)
 }
 
 /// Reason why an item could not be restored.

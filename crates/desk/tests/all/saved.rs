@@ -159,9 +159,10 @@ fn answers_come_back() {
     assert_eq!(since, 7);
     assert!(desk::restore_answer(later.play_mut(), &saved[0].0, &item));
     let answer = later.play().answers().answer(later.play().basis(), 0);
-    assert_eq!((answer.typed.as_str(), answer.revealed), ("9.81 m/s²", true));
+    assert_eq!((answer.typed.as_str(), answer.shown), ("9.81 m/s²", Some(0)));
     assert_eq!(answer.verdict.map(|verdict| verdict.grade), Some(Grade::WrongScale));
-    assert_eq!(desk::saved_answers(later.play())[0].1.write(7), text);
+    let with_shown = text.replace("\"revealed\"", "\"shown\":0,\"revealed\"");
+    assert_eq!(desk::saved_answers(later.play())[0].1.write(7), with_shown);
 }
 
 /// A record with every possible setting.

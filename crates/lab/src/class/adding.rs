@@ -3,6 +3,7 @@
 use super::folder::files_in;
 use super::{survey, window, words};
 use crate::app::App;
+use crate::documents::visited;
 use crate::verifying::reading::read;
 use class::collection::Collection;
 use desk::saved::hand_in::{HAND_IN_ENDING, HandInError};
@@ -32,6 +33,7 @@ pub async fn add(app: App, files: Vec<File>) {
 /// Reads files, several at a time, and begins to compute them. Returns the number of hand-ins.
 async fn read_all(app: App, files: Vec<File>, is_of_folder: bool) -> usize {
     app.class.refuse("");
+    app.class.offer_document(visited::files(app));
     let (mut files, mut ahead, mut taken) = (files.into_iter(), VecDeque::new(), 0);
     let mut end = js_sys::Date::now() + SLICE;
     loop {

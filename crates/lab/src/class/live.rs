@@ -4,7 +4,8 @@ use super::{survey, window};
 use crate::app::App;
 use crate::publish;
 use crate::verifying::reading::read;
-use desk::saved::hand_in::HandInError;
+use class::collection::References;
+use desk::saved::hand_in::{HandIn, HandInError};
 use view::browser;
 use view::views::{Signal, create_signal, document, window as page_window};
 use wasm_bindgen::JsCast;
@@ -12,13 +13,16 @@ use web_sys::{CustomEvent, CustomEventInit, Event, File};
 
 /// Element that the class server puts into its pages.
 const CONFIG: &str = "class-config";
-/// Events of the teacher's script: open the dashboard, a hand-in as a file, a list of answers to surveys.
+/// Events of the teacher's script: the documents of the class, open the dashboard, a hand-in as a file, a list of answers to surveys.
+const DOCUMENTS: &str = "class-documents";
 const OPEN: &str = "class-open";
 const HAND_IN: &str = "class-hand-in";
 const SHEETS: &str = "class-sheets";
 /// Event of the student's script: hand in under this name. `MADE` answers with the text of the hand-in.
 const ASKED: &str = "class-hand-in-asked";
 const MADE: &str = "class-hand-in-made";
+/// Event of the student's script: the hand-in that the server has of this seat, perhaps from another device.
+const KNOWN: &str = "class-hand-in-known";
 /// Tells the script that this page listens.
 const READY: &str = "class-ready";
 
@@ -30,6 +34,10 @@ pub fn listen(app: App) {
     if browser::by_id::<web_sys::Element>(CONFIG).is_none() {
         return;
     }
+    browser::listen(DOCUMENTS, move |event: &CustomEvent| {
+        let documents = event.detail().as_string().and_then(|text| References::of_json(&text));
+        documents.into_iter().for_each(|documents| app.class.set_references(documents));
+    });
     browser::listen(OPEN, move |_: &Event| window::open(app));
     browser::listen(HAND_IN, move |event: &CustomEvent| {
         if let Ok(file) = event.detail().dyn_into::<File>() {
@@ -45,6 +53,13 @@ pub fn listen(app: App) {
     let handed = create_signal(None);
     browser::listen(ASKED, move |event: &CustomEvent| {
         wasm_bindgen_futures::spawn_local(hand_in(app, event.detail().as_string().unwrap_or_default(), handed));
+    });
+    browser::listen(KNOWN, move |event: &CustomEvent| {
+        let known = event.detail().as_string().and_then(|text| HandIn::read(&text).ok());
+        if let Some(known) = known {
+            app.act_on_desk(|desk| desk::merge_project_items(desk, &known.work.items).len());
+            app.page.rebuild();
+        }
     });
     if let Some(root) = document().document_element() {
         let _ = root.set_attribute("data-class", "ready");

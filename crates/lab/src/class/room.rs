@@ -1,9 +1,10 @@
 //! State of the dashboard: the hand-ins, what is collected for the wall, and the names on this device.
 
 use super::computing::Computing;
-use class::collection::{Collection, Snapshot, Snapshots};
+use class::collection::{Collection, References, Snapshot, Snapshots};
 use class::results::Quantity;
 use desk::saved::hand_in::{HandIn, HandInError};
+use document::page::Source;
 use std::collections::BTreeMap;
 use units::Language;
 use view::browser;
@@ -173,6 +174,16 @@ impl Room {
             false => collection.add(name, content),
         });
         is_taken
+    }
+
+    /// Sets the teacher's documents.
+    pub fn set_references(self, references: References) {
+        self.collection.update_silent(|collection| collection.set_references(references));
+    }
+
+    /// The document that is open here, which may be that of the class.
+    pub fn offer_document(self, document: Vec<Source>) {
+        self.collection.update_silent(|collection| collection.offer_document(document));
     }
 
     /// Adds a hand-in of a running lesson, or a later form of one.

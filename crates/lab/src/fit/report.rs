@@ -56,7 +56,7 @@ async fn carrying(app: App, page: String, work: Project) -> String {
         return carry_nothing(&page, &why.text(language), language);
     }
     let sender = sender(app, String::new());
-    let text = HandIn::new(js_sys::Date::now() as u64, sender, work, facts).of_page(&page).write();
+    let text = HandIn::new(js_sys::Date::now() as u64, sender, work, facts).of_page(&page, language).write();
     let packed = packing::zlib(text.as_bytes()).await.unwrap_or_else(|| text.into_bytes());
     carry(&page, &packed, language)
 }

@@ -6,6 +6,7 @@ use super::typed::{Candidate, candidates, stated_units};
 use crate::{Course, Refusal, number};
 use engine::Readings;
 use units::Unit;
+use units::number::Style;
 use units::number::typed::NotRead;
 
 /// Significant digits of a value at rest.
@@ -15,7 +16,12 @@ impl Basis {
     /// Parses a value and returns it in SI: a number in `unit`, or with its own unit of the same dimension, with or without
     /// brackets. 1 Hz is read as 2 pi rad/s where `unit` counts angles, and the reverse.
     pub fn read_value(&self, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
-        Ok(number::typed::quantity(typed, unit, self.style())?)
+        self.read_value_as(typed, unit, self.style())
+    }
+
+    /// [`Basis::read_value`] of a text in another number format.
+    pub(crate) fn read_value_as(&self, typed: &str, unit: &Unit, style: Style) -> Result<f64, Refusal> {
+        Ok(number::typed::quantity(typed, unit, style)?)
     }
 
     /// Refuses an expression with the value `value` in the unit `own`, if `unit` counts turns differently: whether it is
@@ -52,9 +58,26 @@ impl Basis {
     ///
     /// The specific refusal, or `None` if the text is simply not a number.
     pub(crate) fn read_expression(&self, at: &Course, typed: &str, unit: &Unit) -> Result<f64, Option<Refusal>> {
+        self.evaluate_any(typed, unit, self.style(), (at.parameters(), at.initial()))
+    }
+
+    /// Value (SI) of typed arithmetic without names of the model, in a number format; errors as of
+    /// [`Basis::read_expression`].
+    pub(crate) fn read_constant(&self, typed: &str, unit: &Unit, style: Style) -> Result<f64, Option<Refusal>> {
+        let start = vec![0.0; self.model().states.len()];
+        self.evaluate_any(typed, unit, style, (&self.defaults().parameters, &start))
+    }
+
+    fn evaluate_any(
+        &self,
+        typed: &str,
+        unit: &Unit,
+        style: Style,
+        known: (&[f64], &[f64]),
+    ) -> Result<f64, Option<Refusal>> {
         let mut why = None;
-        for candidate in candidates(typed, self.style()) {
-            match self.evaluate(at, &candidate, unit) {
+        for candidate in candidates(typed, style) {
+            match self.evaluate(known, &candidate, unit) {
                 Ok(value) => return Ok(value),
                 Err(refusal) => why = why.or(refusal),
             }
@@ -62,7 +85,13 @@ impl Basis {
         Err(why)
     }
 
-    fn evaluate(&self, at: &Course, candidate: &Candidate, unit: &Unit) -> Result<f64, Option<Refusal>> {
+    /// Value (SI) of a candidate with these parameters and this initial state.
+    fn evaluate(
+        &self,
+        (parameters, initial): (&[f64], &[f64]),
+        candidate: &Candidate,
+        unit: &Unit,
+    ) -> Result<f64, Option<Refusal>> {
         let text = &candidate.expression;
         // A copy, so that the typed expression does not stay in the graph.
         let mut model = self.model().clone();
@@ -70,7 +99,6 @@ impl Basis {
         if model.depends(calculation.node).varies() {
             return Err(None);
         }
-        let (parameters, initial) = (at.parameters(), at.initial());
         let mut readings = Readings::new(&model, &[calculation.node]);
         let value = readings.at(parameters, initial, 0.0, initial).first().copied().unwrap_or(f64::NAN);
         let (pure, fits) = (calculation.dimension.is_none(), calculation.dimension == unit.dimension);

@@ -2,8 +2,9 @@
 
 use crate::basis::calculator::names;
 use crate::basis::typed::candidates;
-use crate::{Basis, Course, Refusal, number};
+use crate::{Basis, Refusal, number};
 use units::Unit;
+use units::number::Style;
 use units::number::typed::shortened;
 
 /// A parsed answer, SI.
@@ -20,10 +21,10 @@ const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "+−"];
 impl Basis {
     /// Parses an answer: `3.76`, `15/4 s`, `2*pi/(1.672 1/s)`, `3.76 ± 0.02 s`, `(3.76 ± 0.02) s`, `3.76 s ± 1 %`.
     /// Names of the document are refused; otherwise `T_d` would answer the question for T_d.
-    pub(crate) fn read_answer(&self, at: &Course, typed: &str, unit: &Unit) -> Result<Answer, Refusal> {
+    pub(crate) fn read_answer(&self, typed: &str, unit: &Unit, style: Style) -> Result<Answer, Refusal> {
         let parts = PLUS_MINUS.iter().find_map(|sign| typed.split_once(sign));
         let Some((value, error)) = parts else {
-            return Ok(Answer { value: self.read_number(at, typed, unit)?, error: None });
+            return Ok(Answer { value: self.read_number(typed, unit, style)?, error: None });
         };
         let (mut value, mut error) = (value.trim().to_owned(), error.trim().to_owned());
         // `(3.76 ± 0.02) s`: the unit applies to both.
@@ -32,36 +33,36 @@ impl Basis {
         {
             let [own, its] = [inner, amount].map(|part| [part.trim(), " ", after.trim()].concat());
             (value, error) = (own, its);
-        } else if let Some((_, after)) = number::parse(&error, self.style()).filter(|(_, after)| !after.is_empty()) {
+        } else if let Some((_, after)) = number::parse(&error, style).filter(|(_, after)| !after.is_empty()) {
             // `3.76 ± 0.02 s`, but not `3.76 s ± 0.02 s`.
-            let bare = number::parse(&value, self.style()).is_some_and(|(_, after)| after.is_empty());
+            let bare = number::parse(&value, style).is_some_and(|(_, after)| after.is_empty());
             if bare && (after != "%" || unit.text == "%") {
                 value = [&value, " ", after].concat();
             }
         }
-        let value = self.read_number(at, &value, unit)?;
+        let value = self.read_number(&value, unit, style)?;
         let percent = error.strip_suffix('%').filter(|_| unit.text != "%").and_then(|amount| {
-            number::parse(amount, self.style()).filter(|(_, after)| after.is_empty()).map(|(amount, _)| amount)
+            number::parse(amount, style).filter(|(_, after)| after.is_empty()).map(|(amount, _)| amount)
         });
         let error = match percent {
             Some(percent) => value.abs() * percent / 100.0,
-            None => self.read_number(at, &error, unit)?,
+            None => self.read_number(&error, unit, style)?,
         };
         Ok(Answer { value, error: Some(error.abs()) })
     }
 
     /// Parses a number or arithmetic and returns its value, SI.
-    fn read_number(&self, at: &Course, typed: &str, unit: &Unit) -> Result<f64, Refusal> {
-        let refusal = match self.read_value(typed, unit) {
+    fn read_number(&self, typed: &str, unit: &Unit, style: Style) -> Result<f64, Refusal> {
+        let refusal = match self.read_value_as(typed, unit, style) {
             Ok(value) => return Ok(value),
             Err(refusal) => refusal,
         };
-        for candidate in candidates(typed, self.style()) {
+        for candidate in candidates(typed, style) {
             let names = names(self.model(), &candidate.expression);
             if let Some(name) = names.iter().find(|name| self.model().lookup(name, 0).is_some()) {
                 return Err(Refusal::NameInAnswer { name: shortened(name) });
             }
         }
-        self.read_expression(at, typed, unit).map_err(|why| why.unwrap_or(refusal))
+        self.read_constant(typed, unit, style).map_err(|why| why.unwrap_or(refusal))
     }
 }

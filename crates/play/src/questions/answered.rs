@@ -1,13 +1,11 @@
 //! The user's answers, their grades, and values hidden by open questions. Answers are kept with their questions across
 //! languages and stored for the next visit.
 
-use crate::basis::assigning::assign;
-use crate::questions::given::{Answer, Attempt};
-use crate::questions::grade::{Grade, Verdict, grade};
-use crate::{Basis, Changes, Course, OpenRun, Refusal, name_of, number, words};
-use engine::Readings;
-use program::{NodeId, Program};
-use units::Language;
+use crate::questions::given::{Answer, Attempt, Conditions, GradedAttempt};
+use crate::questions::grade::{Grade, Verdict};
+use crate::questions::grading::{Grading, verdict_of};
+use crate::{Basis, Changes, Course, OpenRun, Refusal, name_of, number};
+use program::Program;
 
 /// Significant digits of the right answer.
 const RIGHT_DIGITS: usize = 4;
@@ -19,12 +17,14 @@ pub struct AnswerView {
     pub typed: String,
     /// Grade, if the answer has been checked.
     pub verdict: Option<Verdict>,
-    /// True if the right answer has been shown.
-    pub revealed: bool,
-    /// True if a right answer had been given when the right answer was shown.
+    /// Grade that was stated, if the answer has been checked.
+    pub stated: Option<Grade>,
+    /// Number of attempts before the right answer was shown; `None` if it was not shown.
+    pub shown: Option<usize>,
+    /// True if a right answer was given, and before the right answer was shown.
     pub found: bool,
     /// Answers that have been checked, in order.
-    pub attempts: Vec<Attempt>,
+    pub attempts: Vec<GradedAttempt>,
 }
 
 /// The user's answers, and the values hidden by open questions.
@@ -36,28 +36,7 @@ pub struct Answers {
     solved: Vec<bool>,
     /// True if values hidden by questions are shown anyway.
     shows_hidden: bool,
-    evaluators: Evaluators,
-}
-
-/// Evaluators for the questions of a model.
-#[derive(Debug)]
-struct Evaluators {
-    initial: Readings,
-    /// All assignments assumed by questions.
-    setups: Readings,
-    right: Readings,
-}
-
-impl Evaluators {
-    fn new(program: &Program) -> Self {
-        let reading = |nodes: Vec<NodeId>| Readings::new(&program.model, &nodes);
-        let setups = program.questions.iter().flat_map(|question| &question.setup);
-        Self {
-            initial: reading(program.model.states.iter().map(|state| state.initial).collect()),
-            setups: reading(setups.map(|assignment| assignment.value.node).collect()),
-            right: reading(program.questions.iter().map(|question| question.answer.node).collect()),
-        }
-    }
+    grading: Grading,
 }
 
 impl Answers {
@@ -68,26 +47,61 @@ impl Answers {
             given: vec![Answer::default(); count],
             solved: vec![false; count],
             shows_hidden: false,
-            evaluators: Evaluators::new(program),
+            grading: Grading::new(program),
         }
     }
 
     /// Must be called when the model has changed.
     pub(crate) fn model_changed(&mut self, program: &Program) {
-        self.evaluators = Evaluators::new(program);
+        self.grading = Grading::new(program);
     }
 
     /// The user's answer to a question; empty if there is none.
     pub fn answer(&self, basis: &Basis, question: usize) -> AnswerView {
-        let Some(answer) = self.given.get(question) else { return AnswerView::default() };
-        let verdict = answer.grade.map(|grade| verdict_of(grade, basis.language()));
+        self.given.get(question).map_or_else(AnswerView::default, |answer| self.marked(basis, question, answer))
+    }
+
+    /// An answer to a question with its grades.
+    pub(crate) fn marked(&self, basis: &Basis, question: usize, answer: &Answer) -> AnswerView {
         AnswerView {
             typed: answer.typed.clone(),
-            verdict,
-            revealed: answer.revealed,
-            found: answer.found,
-            attempts: answer.attempts.clone(),
+            verdict: self.present_verdict(basis, question, answer),
+            stated: answer.grade,
+            shown: answer.shown,
+            found: self.is_found(basis, question, answer),
+            attempts: answer.attempts.iter().map(|attempt| self.graded(basis, question, attempt)).collect(),
         }
+    }
+
+    fn graded(&self, basis: &Basis, question: usize, attempt: &Attempt) -> GradedAttempt {
+        let conditions = self.grading.known_conditions(basis, question, attempt);
+        let right = conditions.as_ref().map(|conditions| self.right_under(basis, question, conditions));
+        GradedAttempt {
+            typed: attempt.typed.clone(),
+            stated: attempt.grade,
+            computed: self.grading.grade(basis, question, attempt),
+            conditions: attempt.conditions.clone(),
+            right: right.unwrap_or_default(),
+        }
+    }
+
+    /// Grade of the text in the field: computed if its conditions are known, otherwise as it was stated.
+    fn present_verdict(&self, basis: &Basis, question: usize, answer: &Answer) -> Option<Verdict> {
+        let stated = answer.grade?;
+        let computed = answer.checked_attempt().and_then(|attempt| {
+            let conditions = self.grading.known_conditions(basis, question, attempt)?;
+            Some(self.grading.judge(basis, question, &attempt.typed, &conditions))
+        });
+        Some(computed.unwrap_or_else(|| verdict_of(stated, basis.language())))
+    }
+
+    /// True if a right answer was given before it was shown.
+    fn is_found(&self, basis: &Basis, question: usize, answer: &Answer) -> bool {
+        let grade = |attempt: &Attempt| self.grading.grade(basis, question, attempt).unwrap_or(attempt.grade);
+        let mut before = answer.attempts_before_shown().iter();
+        // An answer may have been stored without its attempts.
+        let is_stated = answer.attempts.is_empty() && answer.grade == Some(Grade::Correct) && answer.shown.is_none();
+        is_stated || before.any(|attempt| grade(attempt) == Grade::Correct)
     }
 
     /// Stores the text in the field of a question as an unchecked answer.
@@ -98,12 +112,14 @@ impl Answers {
     }
 
     /// Grades an answer: a number or arithmetic in the expected unit, or with its own units of the same dimension. An
-    /// error after `±` is not graded, but compared with the actual error. The answer is stored with the question.
+    /// error after `±` is not graded, but compared with the actual error. The answer is stored with the question and with the
+    /// present values on which its grade depends.
     pub fn check(&mut self, run: OpenRun<'_>, question: usize, text: &str) -> (Verdict, Changes) {
-        let verdict = self.verdict(run.basis, run.course(), question, text);
+        let conditions = self.grading.conditions(run.basis, run.course(), question);
+        let verdict = self.grading.judge(run.basis, question, text, &conditions);
         let mut changes = self.type_text(question, text);
         if let Some(answer) = self.given.get_mut(question) {
-            *answer = std::mem::take(answer).checked(verdict.grade);
+            *answer = std::mem::take(answer).checked(verdict.grade, conditions);
         }
         if verdict.grade == Grade::Correct {
             changes |= self.solve(question);
@@ -111,24 +127,10 @@ impl Answers {
         (verdict, changes)
     }
 
-    /// Grade that an answer would get for the present parameters, or those assumed by the question. Nothing is stored.
-    pub fn verdict(&self, basis: &Basis, at: &Course, question: usize, text: &str) -> Verdict {
-        let language = basis.language();
-        let Some(asked) = basis.program().questions.get(question) else {
-            return verdict_of(Grade::Unanswerable, language);
-        };
-        let answer = match basis.read_answer(at, text, &asked.unit) {
-            Err(refusal) => return Verdict { grade: Grade::Unreadable, text: basis.refusal_text(&refusal) },
-            Ok(answer) => answer,
-        };
-        let right = self.right(basis, at, question);
-        let mut verdict = verdict_of(grade(answer.value, right, asked.tolerance), language);
-        if let Some(error) = answer.error.filter(|_| verdict.grade != Grade::Unanswerable) {
-            let within = (answer.value - right).abs() <= error;
-            let stated = words::stated_error(language, verdict.grade == Grade::Correct, within);
-            verdict.text = [&verdict.text, " ", stated].concat();
-        }
-        verdict
+    /// Grade that an answer would get for the present values.
+    pub(crate) fn end_grade(&self, basis: &Basis, at: &Course, question: usize, typed: &str) -> Grade {
+        let conditions = self.grading.conditions(basis, at, question);
+        self.grading.judge(basis, question, typed, &conditions).grade
     }
 
     /// Marks the right answer as shown and the question as solved. Returns the right answer; see [`Answers::right_text`].
@@ -140,38 +142,48 @@ impl Answers {
     }
 
     /// Share of the questions that have been answered correctly before the right answer was shown; `None` without questions.
-    pub fn score(&self) -> Option<f64> {
-        let right = self.given.iter().filter(|answer| answer.was_found()).count();
+    pub fn score(&self, basis: &Basis) -> Option<f64> {
+        let given = self.given.iter().enumerate();
+        let right = given.filter(|(question, answer)| self.is_found(basis, *question, answer)).count();
         (!self.given.is_empty()).then(|| right as f64 / self.given.len() as f64)
     }
 
     /// True if every question has been answered, rightly or not, or its right answer has been shown.
     pub fn are_complete(&self) -> bool {
-        self.given.iter().all(|answer| answer.revealed || answer.grade.is_some() || !answer.attempts.is_empty())
+        self.given.iter().all(|answer| answer.shown.is_some() || answer.grade.is_some() || !answer.attempts.is_empty())
     }
 
     /// Number in an answer in the unit that the question asks for, to 12 digits; `None` if the text is no number or states an
     /// error as well.
-    pub fn number(&self, basis: &Basis, at: &Course, question: usize, text: &str) -> Option<f64> {
+    pub fn number(&self, basis: &Basis, question: usize, text: &str) -> Option<f64> {
         let unit = &basis.program().questions.get(question)?.unit;
-        let answer = basis.read_answer(at, text, unit).ok().filter(|answer| answer.error.is_none())?;
+        let answer = basis.read_answer(text, unit, basis.style()).ok().filter(|answer| answer.error.is_none())?;
         format!("{:.11e}", unit.from_si(answer.value)).parse().ok()
     }
 
-    /// Right answer with its unit, for the present parameters or those assumed by the question; a dash if there is
-    /// none.
+    /// Right answer with its unit, for the values of the seat, those assumed by the question, and otherwise the present ones; a
+    /// dash if there is none.
     pub fn right_text(&self, basis: &Basis, at: &Course, question: usize) -> String {
+        self.right_under(basis, question, &self.grading.conditions(basis, at, question))
+    }
+
+    fn right_under(&self, basis: &Basis, question: usize, conditions: &Conditions) -> String {
         let Some(asked) = basis.program().questions.get(question) else { return String::new() };
-        let right = asked.unit.from_si(self.right(basis, at, question));
+        let right = asked.unit.from_si(self.grading.right(basis, question, conditions));
         number::with_unit(&number::plain(right, RIGHT_DIGITS, basis.style()), &asked.unit)
     }
 
-    /// Names and values of the parameters that a question assumes, such as `b` and `0 kg/s`, and true if they are set
-    /// now; `None` if it assumes none.
+    /// Names and values of the parameters that a question asks for, such as `b` and `0 kg/s`: those of the seat, and those that it
+    /// assumes; and true if they are set now. `None` if there are none.
     pub fn setup(&self, basis: &Basis, at: &Course, question: usize) -> Option<(Vec<(String, String)>, bool)> {
-        let asked = basis.program().questions.get(question).filter(|asked| !asked.setup.is_empty())?;
-        let parameters = self.supposed(basis, at, question);
-        Some((basis.assigned(&asked.setup, &parameters), at.parameters() == parameters))
+        let asked = basis.program().questions.get(question)?;
+        let parameters = self.grading.supposed(basis, at, question);
+        let own = self.grading.assigned(question).iter().filter_map(|&index| {
+            let name = basis.model().parameters.get(index)?.name.clone();
+            Some((name, basis.parameter_value_text(index, *parameters.get(index)?)))
+        });
+        let values: Vec<_> = own.chain(basis.assigned(&asked.setup, &parameters)).collect();
+        (!values.is_empty()).then(|| (values, at.parameters() == parameters))
     }
 
     /// Earlier questions that must be answered before this one appears.
@@ -212,13 +224,22 @@ impl Answers {
             return (false, Changes::NONE);
         };
         let mut changes = Changes::ANSWERS;
-        if let Some(answer) = self.given.get_mut(question) {
-            *answer = saved.bounded();
-        }
-        if saved.revealed || saved.grade == Some(Grade::Correct) {
+        let bounded = saved.bounded();
+        if bounded.shown.is_some() || self.is_right_now(run.basis, question, &bounded) {
             changes |= self.solve(question);
         }
+        if let Some(answer) = self.given.get_mut(question) {
+            *answer = bounded;
+        }
         (true, changes)
+    }
+
+    /// Adds what another device of the same person has stored to the answer to the question with this name. Returns false if there is no
+    /// such question.
+    pub fn merge(&mut self, run: OpenRun<'_>, name: &str, stored: &Answer) -> (bool, Changes) {
+        let place = question_names(run.basis.program()).iter().position(|own| own == name);
+        let own = place.and_then(|question| self.given.get(question)).cloned().unwrap_or_default();
+        self.restore(run, name, &own.merged(&stored.bounded()))
     }
 
     /// Takes over answers to the questions of another program. `same` is true if two questions (the one here, the former
@@ -248,7 +269,23 @@ impl Answers {
                 *open |= same && solved;
             }
         }
+        self.grade_again(basis);
         lost
+    }
+
+    /// Gives all attempts their computed grades, as after the seat has changed.
+    pub(crate) fn grade_again(&mut self, basis: &Basis) {
+        for (question, answer) in self.given.iter_mut().enumerate() {
+            for attempt in &mut answer.attempts {
+                attempt.grade = self.grading.grade(basis, question, attempt).unwrap_or(attempt.grade);
+            }
+            answer.grade = answer.checked_attempt().map(|attempt| attempt.grade).or(answer.grade);
+        }
+    }
+
+    /// True if the text in the field is right.
+    fn is_right_now(&self, basis: &Basis, question: usize, answer: &Answer) -> bool {
+        self.present_verdict(basis, question, answer).is_some_and(|verdict| verdict.grade == Grade::Correct)
     }
 
     /// Marks a question as solved: the values that it hides are shown.
@@ -259,28 +296,11 @@ impl Answers {
         }
     }
 
-    /// Right answer (SI); NaN if there is none.
-    fn right(&self, basis: &Basis, at: &Course, question: usize) -> f64 {
-        let parameters = self.supposed(basis, at, question);
-        let nothing = vec![0.0; basis.model().states.len()];
-        let [mut initial, mut right] = [&self.evaluators.initial, &self.evaluators.right].map(Readings::clone);
-        let initial = initial.at(&parameters, &nothing, 0.0, &nothing);
-        right.at(&parameters, initial, 0.0, initial).get(question).copied().unwrap_or(f64::NAN)
-    }
-
     /// Present parameters (SI), replaced by the values that a question assumes, if they can be set.
     pub(crate) fn admitted_setup(&self, run: OpenRun<'_>, question: usize) -> Result<Vec<f64>, Refusal> {
         let unknown = || Refusal::Unknown { name: question.to_string() };
         let asked = run.basis.program().questions.get(question).ok_or_else(unknown)?;
-        run.basis.admit_assignments(&asked.setup, self.supposed(run.basis, run.course(), question))
-    }
-
-    /// Present parameters (SI), replaced by the values that a question assumes.
-    pub(crate) fn supposed(&self, basis: &Basis, at: &Course, question: usize) -> Vec<f64> {
-        let questions = &basis.program().questions;
-        let first = questions.iter().take(question).map(|question| question.setup.len()).sum();
-        let setup = questions.get(question).map_or(&[][..], |asked| &asked.setup);
-        assign(&mut self.evaluators.setups.clone(), first, setup, at.parameters(), at.initial())
+        run.basis.admit_assignments(&asked.setup, self.grading.supposed(run.basis, run.course(), question))
     }
 }
 
@@ -296,14 +316,9 @@ impl Basis {
     }
 }
 
-/// A grade with its text.
-fn verdict_of(grade: Grade, language: Language) -> Verdict {
-    Verdict { grade, text: words::grade(language, grade).to_owned() }
-}
-
 /// Names of the questions, derived from their texts in the document's own language, so that an answer stays with its
 /// question if others are inserted before it. Questions with equal texts are numbered.
-fn question_names(program: &Program) -> Vec<String> {
+pub(crate) fn question_names(program: &Program) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for index in 0..program.questions.len() {
         let prompt = &program.question_text(&program.language, index).prompt;

@@ -2,6 +2,7 @@
 
 use crate::questions::grade::Grade;
 use serde::{Deserialize, Serialize};
+use units::number::compact as exact;
 
 /// Maximum number of attempts at a question that are kept: the latest ones.
 const MOST_ATTEMPTS: usize = 100;
@@ -9,13 +10,50 @@ const MOST_ATTEMPTS: usize = 100;
 /// Maximum length of a stored answer, in characters.
 const LONGEST: usize = 300;
 
+/// Maximum number of values of an attempt, and maximum length of a name and of a language tag, in characters.
+const MOST_VALUES: usize = 100;
+const LONGEST_WORD: usize = 100;
+
+/// Conditions under which an answer was given. With the values of the seat they decide its grade.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Conditions {
+    /// Tag of the language in which the answer was typed. It decides between decimal point and comma.
+    pub language: String,
+    /// Names and values (SI) of the parameters that the reader sets and on which the right answer depends.
+    pub values: Vec<(String, f64)>,
+}
+
 /// An answer that has been checked.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
+    /// Text in the field; empty if it was left out because the storage has no room.
+    pub typed: String,
+    /// The grade that was stated when it was checked.
+    pub grade: Grade,
+    /// Its conditions; `None` if they are unknown, as in work of versions up to 0.2.0.
+    pub conditions: Option<Conditions>,
+}
+
+/// An answer that has been checked, with its grades.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GradedAttempt {
     /// Text in the field.
     pub typed: String,
-    /// Its grade.
-    pub grade: Grade,
+    /// Grade that was stated when it was checked.
+    pub stated: Grade,
+    /// Grade that follows from the text and its conditions; `None` if those are unknown.
+    pub computed: Option<Grade>,
+    /// Its conditions; `None` if they are unknown.
+    pub conditions: Option<Conditions>,
+    /// The right answer with its unit under these conditions; empty if they are unknown.
+    pub right: String,
+}
+
+impl GradedAttempt {
+    /// The computed grade, or the stated one if none can be computed.
+    pub fn grade(&self) -> Grade {
+        self.computed.unwrap_or(self.stated)
+    }
 }
 
 /// The user's answer to a question.
@@ -25,10 +63,8 @@ pub struct Answer {
     pub typed: String,
     /// Grade, if the answer has been checked.
     pub grade: Option<Grade>,
-    /// True if the right answer has been shown.
-    pub revealed: bool,
-    /// True if a right answer had been given when the right answer was shown.
-    pub found: bool,
+    /// Number of attempts before the right answer was shown; `None` if it was not shown.
+    pub shown: Option<usize>,
     /// All answers that have been checked, in order; of more than 100 the latest.
     pub attempts: Vec<Attempt>,
 }
@@ -39,16 +75,34 @@ impl Answer {
         Self { typed: self.typed.clone(), ..Self::default() }
     }
 
-    /// True if a right answer was given before it was shown.
-    pub(crate) fn was_found(&self) -> bool {
-        let right = |grade| grade == Grade::Correct;
-        let is_right = self.grade.is_some_and(right) || self.attempts.iter().any(|attempt| right(attempt.grade));
-        if self.revealed { self.found } else { is_right }
+    /// The attempts before the right answer was shown.
+    pub(crate) fn attempts_before_shown(&self) -> &[Attempt] {
+        let end = self.shown.unwrap_or(usize::MAX).min(self.attempts.len());
+        self.attempts.get(..end).unwrap_or_default()
+    }
+
+    /// The answer with the attempts that another device has stored: those that both have at the beginning, then the other's, then one's
+    /// own. The right answer was shown where one of them has shown it first.
+    pub(crate) fn merged(&self, other: &Self) -> Self {
+        let common = self.attempts.iter().zip(&other.attempts).take_while(|(one, other)| one == other).count();
+        let moved = |place: usize| if place > common { place - common + other.attempts.len() } else { place };
+        let own_shown = self.shown.map(moved);
+        let shown = other.shown.into_iter().chain(own_shown).min();
+        let own = self.attempts.get(common..).unwrap_or_default();
+        let field = if self.typed.is_empty() { other } else { self };
+        let attempts = [&other.attempts[..], own].concat();
+        Self { typed: field.typed.clone(), grade: field.grade, shown, attempts }.bounded()
+    }
+
+    /// The last attempt, if it is the text in the field.
+    pub(crate) fn checked_attempt(&self) -> Option<&Attempt> {
+        self.grade?;
+        self.attempts.last().filter(|attempt| attempt.typed == self.typed)
     }
 
     /// The answer once the right one is shown.
     pub(crate) fn shown(self) -> Self {
-        Self { found: self.was_found(), revealed: true, ..self }
+        Self { shown: self.shown.or(Some(self.attempts.len())), ..self }
     }
 
     /// The answer with another text in the field, which has no grade yet.
@@ -57,17 +111,32 @@ impl Answer {
     }
 
     /// The answer with a grade for the text in the field. The same text with the same grade twice in a row is one attempt.
-    pub(crate) fn checked(self, grade: Grade) -> Self {
-        let attempt = Attempt { typed: self.typed.clone(), grade };
-        Self { grade: Some(grade), attempts: with_attempt(self.attempts, attempt), ..self }
+    pub(crate) fn checked(self, grade: Grade, conditions: Conditions) -> Self {
+        let attempt = Attempt { typed: self.typed.clone(), grade, conditions: Some(conditions) };
+        Self { grade: Some(grade), ..self }.with_attempt(attempt)
     }
 
     /// Copy of a stored answer within the limits of length and number.
     pub(crate) fn bounded(&self) -> Self {
-        let Self { typed, grade, revealed, found, attempts } = self;
-        let attempts = attempts.iter().map(|one| Attempt { typed: one_line(&one.typed), grade: one.grade });
-        let attempts = attempts.fold(Vec::new(), with_attempt);
-        Self { typed: one_line(typed), grade: *grade, revealed: *revealed, found: *found, attempts }
+        let Self { typed, grade, shown, attempts } = self;
+        let bounded = |one: &Attempt| Attempt {
+            typed: one_line(&one.typed),
+            grade: one.grade,
+            conditions: one.conditions.as_ref().map(Conditions::bounded),
+        };
+        let empty = Self { typed: one_line(typed), grade: *grade, shown: *shown, attempts: Vec::new() };
+        attempts.iter().map(bounded).fold(empty, Self::with_attempt)
+    }
+
+    /// The answer with one more attempt; of more than the maximum the latest.
+    fn with_attempt(mut self, attempt: Attempt) -> Self {
+        if self.attempts.last() != Some(&attempt) {
+            self.attempts.push(attempt);
+            let extra = self.attempts.len().saturating_sub(MOST_ATTEMPTS);
+            self.attempts.drain(..extra);
+            self.shown = self.shown.map(|before| before.saturating_sub(extra));
+        }
+        self
     }
 
     /// Copy with the grades alone, of the attempts before the last one or of all.
@@ -77,6 +146,7 @@ impl Answer {
         for (place, attempt) in answer.attempts.iter_mut().enumerate() {
             if all || place < last {
                 attempt.typed.clear();
+                attempt.conditions = None;
             }
         }
         if all {
@@ -86,17 +156,15 @@ impl Answer {
     }
 
     /// Lines of text, the storage format of pages with a single simulation, which contain no JSON parser: the text, the
-    /// grade, `revealed`, `found` (shown after it was found) or nothing, then a line for each attempt with its grade before its text.
+    /// grade, `shown` with the number of attempts before or nothing, then a line for each attempt: its grade, conditions such as
+    /// `;es;k:20,m:0.5` if they are known, and its text after a blank.
     pub fn lines(&self) -> String {
         let grade = self.grade.map_or("", Grade::code);
-        let revealed = match (self.revealed, self.found) {
-            (false, _) => "",
-            (true, false) => "revealed",
-            (true, true) => "found",
-        };
-        let mut lines = format!("{}\n{grade}\n{revealed}", self.typed);
-        for Attempt { typed, grade } in &self.attempts {
-            lines.extend(["\n", grade.code(), " ", typed]);
+        let shown = self.shown.map_or_else(String::new, |before| format!("shown {before}"));
+        let mut lines = format!("{}\n{grade}\n{shown}", self.typed);
+        for Attempt { typed, grade, conditions } in &self.attempts {
+            let conditions = conditions.as_ref().map_or_else(String::new, |own| format!(";{}", own.text()));
+            lines.extend(["\n", grade.code(), &conditions, " ", typed]);
         }
         lines
     }
@@ -107,26 +175,51 @@ impl Answer {
         let (typed, grade, revealed) = (lines.next()?, lines.next()?, lines.next()?);
         let attempt = |line: &str| {
             let (grade, typed) = line.split_once(' ')?;
-            Some(Attempt { typed: typed.to_owned(), grade: Grade::from_code(grade)? })
+            let (grade, conditions) = match grade.split_once(';') {
+                Some((grade, conditions)) => (grade, Some(Conditions::of_text(conditions)?)),
+                None => (grade, None),
+            };
+            Some(Attempt { typed: typed.to_owned(), grade: Grade::from_code(grade)?, conditions })
         };
-        Some(Self {
-            typed: typed.to_owned(),
-            grade: Grade::from_code(grade),
-            revealed: ["revealed", "found"].contains(&revealed),
-            found: revealed == "found",
-            attempts: lines.filter_map(attempt).collect(),
-        })
+        let attempts: Vec<Attempt> = lines.filter_map(attempt).collect();
+        let shown = match revealed {
+            "revealed" => Self::shown_of_0_2(true, false, attempts.len()),
+            "found" => Self::shown_of_0_2(true, true, attempts.len()),
+            _ => revealed.strip_prefix("shown ").and_then(|before| before.parse().ok()),
+        };
+        Some(Self { typed: typed.to_owned(), grade: Grade::from_code(grade), shown, attempts })
+    }
+
+    /// Number of attempts before the right answer was shown, from what versions up to 0.2.0 stored: true if it was shown, and true
+    /// if it had been found then.
+    pub fn shown_of_0_2(revealed: bool, found: bool, attempts: usize) -> Option<usize> {
+        revealed.then_some(if found { attempts } else { 0 })
     }
 }
 
-/// Attempts with one more; of more than the maximum the latest.
-fn with_attempt(mut attempts: Vec<Attempt>, attempt: Attempt) -> Vec<Attempt> {
-    if attempts.last() != Some(&attempt) {
-        attempts.push(attempt);
-        let extra = attempts.len().saturating_sub(MOST_ATTEMPTS);
-        attempts.drain(..extra);
+impl Conditions {
+    fn bounded(&self) -> Self {
+        let word = |text: &str| one_line(text).chars().take(LONGEST_WORD).collect();
+        let values = self.values.iter().take(MOST_VALUES).map(|(name, value)| (word(name), *value)).collect();
+        Self { language: word(&self.language), values }
     }
-    attempts
+
+    /// Language and values in one word: `es;k:20,m:0.5`.
+    pub fn text(&self) -> String {
+        let values = self.values.iter().map(|(name, value)| format!("{name}:{}", exact(*value)));
+        format!("{};{}", self.language, values.collect::<Vec<_>>().join(","))
+    }
+
+    /// Reads the output of [`Conditions::text`].
+    fn of_text(text: &str) -> Option<Self> {
+        let (language, values) = text.split_once(';')?;
+        let value = |one: &str| {
+            let (name, value) = one.split_once(':')?;
+            Some((name.to_owned(), value.parse().ok()?))
+        };
+        let values = values.split(',').filter(|one| !one.is_empty()).map(value).collect::<Option<_>>()?;
+        Some(Self { language: language.to_owned(), values })
+    }
 }
 
 fn one_line(text: &str) -> String {

@@ -4,7 +4,10 @@ mod answer;
 mod answered;
 pub(crate) mod given;
 mod grade;
+mod grading;
+mod marker;
 
 pub use answered::{AnswerView, Answers};
-pub use given::{Answer, Attempt};
+pub use given::{Answer, Attempt, Conditions, GradedAttempt};
 pub use grade::{Grade, Verdict};
+pub use marker::Marker;

@@ -7,6 +7,7 @@ mod buttons;
 mod choosing;
 mod claims;
 mod clock;
+mod conditions;
 mod controls;
 mod counting;
 mod dragging;

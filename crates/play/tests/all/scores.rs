@@ -9,7 +9,7 @@ const TWO: &str = "```model\nparameter a = 2 [m]\ny' = a/(1 [s])\ny(0) = 0\n```\
 #[test]
 fn the_score_counts_what_was_found_before_it_was_shown() {
     let mut play = crate::support::open(TWO, &[]);
-    let state = |play: &Play| (play.answers().score(), play.answers().are_complete());
+    let state = |play: &Play| (play.answers().score(play.basis()), play.answers().are_complete());
     assert_eq!(state(&play), (Some(0.0), false));
     play.change_answers(|answers, run| answers.check(run, 0, "2 m"));
     assert_eq!(state(&play), (Some(0.5), false));
@@ -22,13 +22,14 @@ fn the_score_counts_what_was_found_before_it_was_shown() {
     play.change_answers(|answers, run| answers.reveal(run, 1));
     play.change_answers(|answers, run| answers.check(run, 1, "3"));
     assert_eq!(state(&play), (Some(0.5), true));
-    assert_eq!(crate::support::open("```model\ny' = 1 [1/s]\ny(0) = 0\n```\n", &[]).answers().score(), None);
+    let none = crate::support::open("```model\ny' = 1 [1/s]\ny(0) = 0\n```\n", &[]);
+    assert_eq!(none.answers().score(none.basis()), None);
 }
 
 #[test]
 fn an_answer_is_a_number_in_the_unit_that_is_asked_for() {
     let play = crate::support::open(TWO, &[]);
-    let number = |text: &str| play.answers().number(play.basis(), play.course(), 0, text);
+    let number = |text: &str| play.answers().number(play.basis(), 0, text);
     assert_eq!(["2 m", "0.495 m", "2*3", "1e-3 m"].map(number), [Some(200.0), Some(49.5), Some(6.0), Some(0.1)]);
     assert_eq!(["2 ± 0.1 m", "two", "a", "2 kg", ""].map(number), [None; 5]);
 }

@@ -278,7 +278,7 @@ fn facts_follow_from_the_state() {
         run.iter().find(|fact| fact.item.ends_with(item) && fact.quantity == quantity).map(|fact| fact.value.clone())
     };
     let title = play.program().title.clone();
-    assert_eq!(value(&title, "parameter b"), Some(FactValue::Number(200.0)));
-    assert!(run.iter().any(|fact| fact.item != title && fact.quantity == "parameter b"), "the kept run");
-    assert!(answers.iter().any(|fact| fact.quantity == "grade of attempt 1"), "{answers:?}");
+    assert_eq!(value(&title, "parameter:b"), Some(FactValue::Number(200.0)));
+    assert!(run.iter().any(|fact| fact.item != title && fact.quantity == "parameter:b"), "the kept run");
+    assert!(answers.iter().any(|fact| fact.quantity == "grade:1"), "{answers:?}");
 }

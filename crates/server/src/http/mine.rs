@@ -24,6 +24,20 @@ pub async fn download(State(server): State<Arc<Server>>, Student(class, seat): S
     Ok(answer::json(all))
 }
 
+/// The hand-in of the student's seat for a document, as all its devices have made it.
+pub async fn hand_in(
+    State(server): State<Arc<Server>>,
+    Student(class, seat): Student,
+    Path(document): Path<String>,
+) -> Result<Response, Refusal> {
+    let Some(row) = class.seat(seat) else { return Err(refuse(StatusCode::UNAUTHORIZED, "token")) };
+    let events = server.classes.store().events_of_seat(class.id().to_owned(), seat).await?;
+    match Folded::of(&events).hand_in(&document, &row.pseudonym) {
+        Some(hand_in) => Ok(([(header::CONTENT_TYPE, "application/json")], hand_in).into_response()),
+        None => Err(refuse(StatusCode::NOT_FOUND, "missing")),
+    }
+}
+
 /// Erases a student's seat.
 pub async fn erase(State(server): State<Arc<Server>>, Student(class, seat): Student) -> Result<Response, Refusal> {
     server.classes.erase(&class, seat).await?;

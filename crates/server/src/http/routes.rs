@@ -16,6 +16,7 @@ impl Server {
             .route("/api/stream", get(stream::of_student))
             .route("/api/events", post(student::events))
             .route("/api/mine", get(mine::download))
+            .route("/api/hand-in/{document}", get(mine::hand_in))
             .route("/api/erase", post(mine::erase))
             .route("/api/others", get(student::others))
             .route("/api/file/{name}", get(mine::file))

@@ -150,7 +150,7 @@ pub async fn others(State(server): State<Arc<Server>>, Student(class, seat): Stu
     if !settings.results && !settings.others {
         return Ok(answer::json(json!({ "questions": [] })));
     }
-    let tally = server.tallies.of(&class, server.classes.store()).await?;
+    let tally = server.tallies.of(&class, server.classes.store(), &server.pages).await?;
     Ok(answer::json(tally.for_student(seat, &settings)))
 }
 

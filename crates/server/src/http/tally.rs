@@ -1,7 +1,8 @@
 //! Answers of a class by question, for students.
 
 use crate::class::{Class, Settings};
-use crate::fold::{Folded, Given};
+use crate::fold::Folded;
+use crate::pages::{Given, Pages};
 use crate::store::{EventRow, Fault, Store};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -34,8 +35,9 @@ struct Counted {
 }
 
 impl Tallies {
-    /// The tally of a class, at most two seconds old.
-    pub async fn of(&self, class: &Class, store: &Store) -> Result<Arc<Tally>, Fault> {
+    /// The tally of a class, at most two seconds old. Answers are graded by the documents of the server: the grades that a browser
+    /// sends are not counted.
+    pub async fn of(&self, class: &Class, store: &Store, pages: &Pages) -> Result<Arc<Tally>, Fault> {
         let mut all = self.0.lock().await;
         let new = || Counted { at: Instant::now(), number: 0, folded: BTreeMap::new(), tally: Arc::default() };
         let counted = all.entry(class.id().to_owned()).or_insert_with(new);
@@ -52,8 +54,12 @@ impl Tallies {
         let mut tally = Tally::default();
         counted.folded.retain(|seat, _| class.seat(*seat).is_some());
         for (seat, folded) in &counted.folded {
-            for (question, given) in folded.answers() {
-                tally.0.entry(question).or_default().insert(*seat, given);
+            for document in pages.documents() {
+                let items = folded.items(&document.name);
+                let given = items.filter_map(|(name, item)| Some((name, document.grader.answer(*seat, name, &item)?)));
+                for (question, given) in given {
+                    tally.0.entry(question.to_owned()).or_default().insert(*seat, given);
+                }
             }
         }
         (counted.at, counted.tally) = (Instant::now(), Arc::new(tally));

@@ -42,7 +42,7 @@ pub async fn class(State(server): State<Arc<Server>>, Teacher(class): Teacher) -
     let documents = server.pages.names();
     answer::json(json!({
         "title": class.title(), "code": class.code(), "address": server.place.address, "qr": qr::svg(&server.place.join_address(class.code())), "expires": class.expires(),
-        "documents": documents, "settings": class.settings(), "now": now(),
+        "documents": documents, "sources": server.pages.sources(), "settings": class.settings(), "now": now(),
     }))
     .into_response()
 }

@@ -26,7 +26,7 @@ const handInParts = (() => {
       ...items.map(([name, item]) => [`item:${name}`, item]),
       ["order", JSON.stringify(items.map(([name]) => name))],
       ["facts", whole.get("facts")],
-      ["head", `{"program":${whole.get("program")},"bits":${whole.get("bits") ?? null},"made":${whole.get("made")},"sender":${whole.get("sender")}}`],
+      ["head", `{"format":${whole.get("meniscus hand-in")},"program":${whole.get("program")},"bits":${whole.get("bits") ?? null},"made":${whole.get("made")},"sender":${whole.get("sender")}}`],
     ];
   };
   // Times at which a file is made are no change.

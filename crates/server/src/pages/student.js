@@ -34,6 +34,22 @@
   };
   const why = async (response) => { try { return (await response.json()).why || ""; } catch { return ""; } };
 
+  // What the server has of this seat, perhaps from another device, goes to the page before this device hands anything in: attempts are
+  // merged there. Asked for after joining, and when another device has used the numbers of this one.
+  const LEARNED = `learned:${config.document}`;
+  const learns = () => Boolean(seat && config.document) && load(LEARNED, false) !== seat.seat;
+  const learn = async () => {
+    if (!document.documentElement.dataset.class) return false;
+    const response = await ask(`/api/hand-in/${encodeURIComponent(config.document)}`, { token: seat.token });
+    if (response.ok) dispatchEvent(new CustomEvent("class-hand-in-known", { detail: await response.text() }));
+    else if (response.status !== 404) return false;
+    storage.dropAll(`known:${config.document}\n`);
+    keep(LEARNED, seat.seat);
+    asked = 0;
+    byItself();
+    return true;
+  };
+
   const put = (text) => {
     if (!storage.put(config.document, parts(text), hash)) return;
     show();
@@ -50,8 +66,17 @@
   };
   const send = async () => {
     clearTimeout(timer);
-    const waiting = storage.waiting();
     if (sending || !seat) return;
+    if (learns()) {
+      sending = true;
+      let learned = false;
+      try { learned = await learn(); } catch { /* It is tried again. */ }
+      sending = false;
+      // The page makes its hand-in with what it has learned.
+      if (learned) timer = setTimeout(send, FIRST); else later();
+      return;
+    }
+    const waiting = storage.waiting();
     if (!waiting.length) return problem === "unreachable" || problem === "store" ? again() : undefined;
     sending = true;
     let size = 0;
@@ -63,11 +88,14 @@
       if (response.ok) {
         const { highest } = await response.json();
         storage.acknowledge(batch, highest);
+        // Another device of this seat has handed in under a greater number, and its parts count: both are merged.
+        if (batch.every(({ seq }) => seq < highest)) storage.drop(LEARNED);
         [problem, pause] = ["", FIRST];
-        if (storage.keys("waiting:").length) timer = setTimeout(send, 0);
+        if (learns() || storage.keys("waiting:").length) timer = setTimeout(send, 0);
       } else if (response.status === 409) {
-        // Another device of this seat has used the numbers.
+        // Another device of this seat has used the numbers: what it has handed in is merged first.
         storage.renumber((await response.json()).highest);
+        storage.drop(LEARNED);
         timer = setTimeout(send, 0);
       } else if (response.status === 401) {
         leave(words().token);
@@ -194,6 +222,7 @@
       keep("seat", seat);
       // All of the work here is handed in from the new seat, too.
       storage.dropAll("known:");
+      storage.dropAll("learned:");
       try { localStorage.setItem("meniscus:hand-in-name", seat.pseudonym); } catch { /* The form asks for a name. */ }
       if (storage.stores()) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
       start();
@@ -206,6 +235,7 @@
     [seat, state, following, problem, said] = [null, null, null, "", sentence];
     keep("seat", null);
     storage.dropAll("known:");
+    storage.dropAll("learned:");
     show();
   };
 

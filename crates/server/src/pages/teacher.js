@@ -44,6 +44,7 @@
   const ready = () => {
     // The page announces itself before its dialogs exist.
     if (!document.getElementById("class")) return void setTimeout(ready, 100);
+    dispatchEvent(new CustomEvent("class-documents", { detail: JSON.stringify(about.sources) }));
     dispatchEvent(new Event("class-open"));
     pass();
   };

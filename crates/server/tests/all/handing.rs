@@ -61,6 +61,11 @@ fn another_device_takes_the_same_seat_and_numbers_do_not_collide(storage: &Stora
     running.post("/api/events", one, &json!({ "events": parts(1, "4.5", "correct") })).ok();
     let taken = running.post("/api/events", other, &json!({ "events": parts(1, "9", "wrong") }));
     assert_eq!((taken.why(), taken.body.contains("\"highest\":6")), ((409, "taken".to_owned()), true));
+    // Each device gets what the other has handed in.
+    let known = running.get("/api/hand-in/tube.md", other);
+    assert!(known.status == 200 && known.body.contains("\"typed\":\"4.5\""), "{}", known.body);
+    assert_eq!(running.get("/api/hand-in/a%20b.md", other).why(), (404, "missing".to_owned()));
+    assert_eq!(running.get("/api/hand-in/tube.md", "x").status, 401);
     running.post("/api/events", other, &json!({ "events": parts(7, "9", "wrong") })).ok();
     let teacher = running.teacher();
     assert!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).body.contains("\"typed\":\"9\""));

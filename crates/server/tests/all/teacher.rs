@@ -49,7 +49,8 @@ fn others_answers_are_seen_after_ones_own_and_only_if_shown(storage: &Storage) {
     let running = Running::start(&storage.location);
     let teacher = running.teacher();
     let students: Vec<Value> = (0..3).map(|_| running.join()).collect();
-    for (student, (typed, grade)) in students.iter().zip([("4.5", "correct"), ("9", "wrong")]) {
+    // The grades that browsers send are not believed.
+    for (student, (typed, grade)) in students.iter().zip([("4.5", "wrong"), ("9", "correct")]) {
         running.post("/api/events", token(student), &json!({ "events": parts(1, typed, grade) })).ok();
     }
     let seen = |student: usize| running.get("/api/others", token(&students[student])).ok()["questions"].clone();

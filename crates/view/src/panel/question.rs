@@ -42,7 +42,7 @@ fn open(app: App, index: usize) -> View {
     let given = app.read(|play| play.answers().answer(play.basis(), index));
     let verdict = create_signal(given.verdict);
     let revealed = create_signal(
-        given.revealed.then(|| app.read(|play| play.change_answers(|answers, run| answers.reveal(run, index)))),
+        given.shown.map(|_| app.read(|play| play.change_answers(|answers, run| answers.reveal(run, index)))),
     );
     let (field, number) = (format!("answer-{index}"), index + 1);
     let mut input = short_field(field.clone());
@@ -109,7 +109,7 @@ fn open(app: App, index: usize) -> View {
         .into()
 }
 
-/// Parameters assumed by the question, and a button that sets them.
+/// Values for which the question asks, assigned to the seat or assumed, and a button that sets them.
 fn setup(app: App, index: usize) -> View {
     let words = app.words();
     let now = memo(move || {

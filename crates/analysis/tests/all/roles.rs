@@ -282,12 +282,38 @@ fn a_name_that_is_another_column_s_number_is_refused() {
     assert_eq!(table.column("3"), Ok(2));
     assert_eq!(["#1", "#2", "#3"].map(|which| table.column(which)), [Ok(0), Ok(1), Ok(2)]);
     assert_eq!([0, 1, 2].map(|index| table.typed(index)), ["#1", "#2", "#3"]);
+    // A name `#2`, or `##2`, leaves one more sign for the number.
+    for (heads, expected) in
+        [("t,y 1,#2", ["t", "##2", "#3"]), ("t,#2,y 1", ["t", "#2", "#3"]), ("a b,##1,#1", ["###1", "#2", "#3"])]
+    {
+        let table = import(&format!("{heads}\n0,5,1\n1,6,2\n2,4,3\n")).table;
+        assert_eq!([0, 1, 2].map(|index| table.typed(index)), expected, "{heads}");
+        assert_eq!(expected.map(|which| table.column(which)), [Ok(0), Ok(1), Ok(2)], "{heads}");
+    }
     // If both are the same column, it is not ambiguous.
     let table = import("1,2\n0,5\n1,6\n2,4\n").table;
     assert!(table.column("2") == Ok(1) || table.columns[1].name.is_empty());
     // Of several bodies the first is used; columns of one name in one body are ambiguous.
     let twice = import("t,y,y\n0,5,1\n1,6,2\n2,4,3\n").table;
     assert_eq!(twice.column("y"), Err(LookupError::Several(vec![1, 2])));
+}
+
+#[test]
+fn columns_of_one_name_are_told_apart_in_all_texts() {
+    for (heads, labels) in [
+        ("t [s],y,y", ["t", "y #2", "y #3"]),
+        ("t [s],y [cm],y [V]", ["t", "y [cm]", "y [V]"]),
+        ("t [s],y [cm],y", ["t", "y #2", "y #3"]),
+        ("t [s],t [ms],y", ["t [s]", "t [ms]", "y"]),
+        ("t [s],y [cm],y [cm]", ["t", "y #2", "y #3"]),
+    ] {
+        let table = import(&format!("{heads}\n0,5,1\n1,6,2\n2,4,3\n3,9,1\n")).table;
+        assert_eq!(table.labels(), labels, "{heads}");
+        for (index, label) in labels.iter().enumerate() {
+            assert_eq!((table.label(index).as_str(), table.column(label)), (*label, Ok(index)), "{heads}");
+            assert!(table.reading_in_words(&[index], Language::English).ends_with(label), "{heads}");
+        }
+    }
 }
 
 #[test]

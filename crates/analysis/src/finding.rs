@@ -11,7 +11,8 @@ pub use heading::{Certainty, Heading};
 use units::{Language, say};
 pub(crate) use words::readings;
 use words::{
-    backwards, called, clock, decimal, json, missing, nuls, overflow, reading, rounded_step, runs, separator, word,
+    backwards, called, clock, decimal, json, missing, nuls, overflow, reading, repeated, rounded_step, runs, separator,
+    word,
 };
 
 /// Note for the user on their data. Lines and rows count from 1; times are in SI.
@@ -173,6 +174,15 @@ pub enum Finding {
         /// Number of rows.
         count: usize,
     },
+    /// Rows that repeat the values of the row before in a pattern, as in a film that was converted to another frame rate.
+    Repeated {
+        /// Labels of the columns.
+        columns: Vec<String>,
+        /// Number of these rows.
+        count: usize,
+        /// Number of rows.
+        of: usize,
+    },
     /// Rows with an earlier time than the row before.
     Backwards {
         /// Time of the first such row.
@@ -332,6 +342,7 @@ impl Finding {
                 "{count} rows repeat the time of the row before, the first at {}",
                 reading(*time, unit, language)
             ),
+            Self::Repeated { columns, count, of } => repeated(columns, *count, *of, language),
             Self::Backwards { time, unit, count } => backwards(*time, unit, *count, language),
             Self::Uneven(jitter) => say!(
                 language,

@@ -177,3 +177,13 @@ pub(super) fn overflow(column: &str, bits: i32, count: usize, language: Language
         ),
     }
 }
+
+/// Note on rows that repeat the values of the row before.
+pub(super) fn repeated(columns: &[String], count: usize, of: usize, language: Language) -> String {
+    let columns: Vec<String> = columns.iter().map(|column| called(column, language)).collect();
+    let columns = columns.join(", ");
+    say!(
+        language,
+        "{count} of {of} rows repeat the value of {columns} in the row before, at regular distances, as a film does that was converted to another frame rate: their times are wrong; leave these rows out, or use the original film"
+    )
+}

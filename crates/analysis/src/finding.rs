@@ -11,8 +11,8 @@ pub use heading::{Certainty, Heading};
 use units::{Language, say};
 pub(crate) use words::readings;
 use words::{
-    backwards, called, clock, decimal, json, missing, nuls, overflow, reading, repeated, rounded_step, runs, separator,
-    word,
+    backwards, called, clock, decimal, json, labels, missing, nuls, overflow, reading, repeated, rounded_step, runs,
+    separator, word,
 };
 
 /// Note for the user on their data. Lines and rows count from 1; times are in SI.
@@ -150,6 +150,13 @@ pub enum Finding {
     },
     /// The runs of a logger, each with its own clock.
     Runs(Vec<String>),
+    /// A column of words names the run of each row.
+    Labels {
+        /// The column.
+        column: String,
+        /// Names of the runs.
+        runs: Vec<String>,
+    },
     /// Role of columns, where it is unclear.
     Role(roles::Remark),
     /// No unit is stated for a time; it is taken as seconds, or in a fit as the unit of the model's time.
@@ -310,6 +317,7 @@ impl Finding {
                      it was not delayed on the way"
             ),
             Self::Runs(names) => runs(names, language),
+            Self::Labels { column, runs } => labels(column, runs, language),
             Self::Role(remark) => remark.text(language),
             Self::AssumedSeconds(column) => {
                 let column = called(column, language);

@@ -11,6 +11,7 @@ mod format;
 mod head;
 mod influx;
 mod json;
+mod labels;
 mod lines;
 mod mixed;
 mod notation;
@@ -25,6 +26,7 @@ mod sections;
 mod separators;
 #[cfg(test)]
 mod slices;
+mod stated;
 mod times;
 
 pub use cells::Delimiter;
@@ -35,8 +37,9 @@ pub use device::Remark as DeviceRemark;
 pub use format::Format;
 pub use program::Program;
 pub use refusal::{ImportError, Refusal};
+pub(crate) use stated::is_unit;
+pub use stated::{DateOrder, state_dates, stated_unit, unit};
 
-use crate::conversion::Conversion;
 use crate::finding::Finding;
 use crate::origin::Origin;
 use crate::table::{Column, Table};
@@ -44,7 +47,7 @@ use crate::{roles, scale_line};
 use device::Device;
 use doubts::called;
 use first::First;
-use head::{Head, Meant};
+use head::Head;
 use json::Json;
 use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
@@ -52,7 +55,6 @@ use rows::Rows;
 use std::borrow::Cow;
 use times::stamp::Stamped;
 use times::{clock, overflow, serial_days, settle, stamp};
-use units::Unit;
 
 /// Imported table, with notes on how it was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -313,6 +315,7 @@ impl<'a> Importer<'a> {
         doubts::dates(&clocks, &heads, first.line + 1)?;
         doubts::unread(&rows, &heads)?;
         let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
+        let names: Vec<String> = heads.iter().map(|head| head.name.clone()).collect();
         let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
@@ -337,6 +340,7 @@ impl<'a> Importer<'a> {
         let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         if table.readings.is_empty() {
+            runs::by_words(&mut table, &rows.others, &names, &mut findings);
             runs::side_by_side(&mut table, &rows.repeats, &rows.titles);
         }
         let labels = table.labels();
@@ -411,21 +415,4 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
         columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
     }
     (columns, kept)
-}
-
-/// True for a unit by its symbol or a word, or a scale of temperatures: `ms`, `Sekunden`, `°C`.
-pub(crate) fn is_unit(text: &str) -> bool {
-    head::is_unit(text)
-}
-
-/// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.
-pub fn unit(text: &str) -> Option<Unit> {
-    head::unit_of(text)
-}
-
-/// Unit that a person states for a column of this name, with the conversion of its numbers to values in the unit: all that
-/// headings state, such as `°C`.
-pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
-    let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
-    Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
 }

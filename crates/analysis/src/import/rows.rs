@@ -205,6 +205,7 @@ impl Rows {
                     mine.first_digits.get_or_insert_with(|| (line, excerpt(text)));
                 }
                 mine.first.get_or_insert_with(|| (line, excerpt(text)));
+                mine.labels.add(row, text);
                 What::Word
             }
             Other::Clock(reading) => {
@@ -302,6 +303,9 @@ impl Rows {
     /// Properties of the rows needed to read the header.
     pub fn below(&self) -> Below<'_> {
         let wide = self.columns.len().max(self.others.len());
+        // Columns that begin below a second header are not those of the first.
+        let later = |column: &usize| self.columns.get(*column).is_some_and(|own| between::begins(&self.between, own));
+        let wide = wide - (0..wide).rev().take_while(later).count();
         let numeric = |column: usize| {
             let others = self.others.get(column);
             let beside = others.map_or(0, |others| others.clocks.len() + others.with_units.len());

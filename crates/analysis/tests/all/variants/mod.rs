@@ -1,6 +1,9 @@
 //! Enumerated variants of texts: names, units, delimiters, decimal signs, dates, headers between rows, notations. None is
 //! read wrongly in silence, and few are refused.
 
+mod dates;
+mod runs;
+
 use analysis::import;
 use std::collections::BTreeMap;
 use units::Unit;
@@ -328,7 +331,7 @@ fn wrong(import: &import::Import, variant: &Variant) -> Option<String> {
 #[test]
 fn variants_are_read_as_a_person_reads_them_or_refused() {
     let mut variants = Vec::new();
-    for add in [names, headers, titles, dates, notations, units_of_instruments, prose, counts] {
+    for add in [names, headers, titles, dates, notations, units_of_instruments, prose, counts, runs::labels] {
         add(&mut variants);
     }
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();

@@ -26,6 +26,13 @@ pub enum Finding {
     DataSets(data_sets::Remark),
     /// The table was read from JSON; these lists of another length were left out.
     Json(Vec<String>),
+    /// The table was read from a text in a markup language, which has this number of other tables.
+    Markup {
+        /// The language.
+        markup: import::Markup,
+        /// Number of other tables.
+        others: usize,
+    },
     /// This number of NUL bytes was left out.
     Nuls(usize),
     /// Overflows of the counter of a clock were undone.
@@ -239,6 +246,12 @@ impl Finding {
             Self::DataSets(remark) => remark.text(language),
             Self::Device(remark) => remark.text(language),
             Self::Json(left_out) => json(left_out, language),
+            Self::Markup { markup, others: 0 } => say!(language, "the table was read from {}", markup.name()),
+            Self::Markup { markup, others } => say!(
+                language,
+                "the table was read from {}: the one with the most cells; other tables left out: {others}",
+                markup.name()
+            ),
             Self::Nuls(count) => nuls(*count, language),
             Self::Overflow { column, bits, count } => overflow(column, *bits, *count, language),
             Self::Word { line, column, text } => word(*line, column, text, language),

@@ -13,6 +13,7 @@ mod influx;
 mod json;
 mod labels;
 mod lines;
+mod markup;
 mod mixed;
 mod notation;
 mod notes;
@@ -35,6 +36,7 @@ pub(crate) use decode::characters;
 pub use decode::look;
 pub use device::Remark as DeviceRemark;
 pub use format::Format;
+pub use markup::Markup;
 pub use program::Program;
 pub use refusal::{ImportError, Refusal};
 pub(crate) use stated::is_unit;
@@ -49,6 +51,7 @@ use doubts::called;
 use first::First;
 use head::Head;
 use json::Json;
+use markup::MarkedTable;
 use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
 use rows::Rows;
@@ -135,6 +138,14 @@ impl<'a> Importer<'a> {
             Some(Json::NoTable) => return Err(ImportError::new(None, Refusal::Json)),
             None => {}
         }
+        if let Some(table) = markup::read(&text) {
+            return Self::of_markup(text, table);
+        }
+        Self::of_text(text)
+    }
+
+    /// Begins to read a text that is neither JSON nor markup, nor the file of a known instrument.
+    fn of_text(text: Cow<'a, str>) -> Result<Self, ImportError> {
         if let Some(cells) = influx::read(&text) {
             let remark = DeviceRemark::Recognised { name: "InfluxDB" };
             return Self::of_cells(text, cells, Finding::Device(remark));
@@ -172,6 +183,18 @@ impl<'a> Importer<'a> {
         let mut importer = begun.map_err(|(error, _)| ImportError { line: None, ..error })?;
         importer.sheet = true;
         importer.findings.push(finding);
+        Ok(importer)
+    }
+
+    /// Begins to read the table of a text in a markup language, by the rules of texts.
+    fn of_markup(text: Cow<'a, str>, table: MarkedTable) -> Result<Self, ImportError> {
+        let error = |reason| ImportError::new(None, reason);
+        if table.cells.is_empty() {
+            return Err(error(Refusal::Markup));
+        }
+        let mut importer = Self::of_text(Cow::Owned(table.cells)).map_err(|own| error(own.reason))?;
+        (importer.original, importer.sheet) = (Some(text), true);
+        importer.findings.push(Finding::Markup { markup: table.markup, others: table.others });
         Ok(importer)
     }
 
@@ -296,6 +319,7 @@ impl<'a> Importer<'a> {
             Pass::Refused(error) => return Err(error),
             _ => return Err(ImportError::new(None, Refusal::Empty)),
         };
+        rows.leave_out_codes();
         let head_lines: Vec<&str> = text[..first.offset].lines().collect();
         let mut heads = head::read(&head_lines, format.delimiter, &rows.below(), &mut findings);
         rows.widen(heads.len(), &text);

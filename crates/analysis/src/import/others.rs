@@ -15,6 +15,8 @@ pub(super) struct Others {
     pub first_digits: Option<(usize, String)>,
     /// Line, text and value of the first number in an unusual notation.
     pub notation: Option<(usize, String, f64)>,
+    /// Number of words of letters and digits, such as `7BC4`.
+    pub codes: usize,
     /// The words, if few are different.
     pub labels: Labels,
     /// Line and text of the first word.

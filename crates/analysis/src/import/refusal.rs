@@ -26,7 +26,7 @@ pub enum Refusal {
     },
     /// The file contains bytes that do not occur in text.
     Binary,
-    /// The file is XML or HTML, and not a Tracker project.
+    /// The file is XML, and not a Tracker project, or HTML without a table.
     Markup,
     /// The file is one of a program that can export text.
     Program(Program),
@@ -115,7 +115,7 @@ impl ImportError {
             // The beginning of the file says it, and no line.
             Refusal::Kind { name } => return say!(language, "this is not text but {name}"),
             Refusal::Binary => language.say("this is not text: it has bytes that no text has").to_owned(),
-            Refusal::Markup => language.say("this is XML or HTML, not a table").to_owned(),
+            Refusal::Markup => language.say("this is XML, or HTML without a table").to_owned(),
             Refusal::Program(program) => {
                 return say!(language, "this is a file of {}, which only that program reads", program.name());
             }

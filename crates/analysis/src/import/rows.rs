@@ -200,7 +200,9 @@ impl Rows {
                 mine.words += 1;
                 // A code such as `7BC4` or `CH1` is no number that failed.
                 let is_code = text.bytes().all(|byte| byte.is_ascii_alphanumeric());
-                if !is_code && text.contains(|letter: char| letter.is_ascii_digit()) {
+                let digits = text.contains(|letter: char| letter.is_ascii_digit());
+                mine.codes += usize::from(is_code && digits);
+                if !is_code && digits {
                     mine.digits += 1;
                     mine.first_digits.get_or_insert_with(|| (line, excerpt(text)));
                 }
@@ -279,6 +281,17 @@ impl Rows {
         self.numbers -= filled;
         if let Some(others) = self.others.get_mut(column) {
             others.words += filled;
+        }
+    }
+
+    /// Turns columns of codes into words: among `97E4`, `3D44` and `90BD`, `5E69` and `0134` are no numbers.
+    pub fn leave_out_codes(&mut self) {
+        let numbers = |values: &Vec<f64>| values.iter().filter(|value| value.is_finite()).count();
+        let is_code = |(values, others): (&Vec<f64>, &Others)| others.codes > numbers(values).max(2);
+        let codes: Vec<bool> = self.columns.iter().zip(&self.others).map(is_code).collect();
+        for (column, _) in codes.into_iter().enumerate().filter(|(_, is_code)| *is_code) {
+            self.leave_out(column);
+            self.reject(column);
         }
     }
 

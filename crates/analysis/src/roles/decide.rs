@@ -214,6 +214,14 @@ impl Table<'_> {
         {
             return self.single(clock, Reason::Increases);
         }
+        // Behind values that go up and down, the only column that increases, and evenly, is the clock.
+        let mut rising = (1..self.columns.len()).filter(|index| increase(of(*index)));
+        if !self.is_monotone(0)
+            && let (Some(clock), None) = (rising.next(), rising.next())
+            && are_even(of(clock))
+        {
+            return self.single(clock, Reason::Increases);
+        }
         let last = self.columns.len().saturating_sub(1);
         let even: Vec<usize> = (1..last).filter(|index| are_even(of(*index))).collect();
         if count(of(0)) && are_even(of(0)) && even.first() == Some(&1) && !self.equals(0, 1) {

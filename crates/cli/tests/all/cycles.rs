@@ -167,6 +167,10 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
     ] {
         refused(with(heads, columns).as_bytes(), &[], &["T, 60 rows. This column does not oscillate", hint]);
     }
+    let open = "date,y\n01/02/2024,1\n03/01/2024,2\n02/04/2024,1\n05/03/2024,2\n";
+    refused(open.as_bytes(), &[], &["the day first or the month first", "--dates day-first or --dates month-first"]);
+    refused(open.as_bytes(), &["--dates", "month-first"], &["y, 4 rows. This column does not oscillate"]);
+    refused(open.as_bytes(), &["--dates", "dmy"], &["write day-first or month-first"]);
     let good = text("t\ty", false);
     refused(
         good.as_bytes(),

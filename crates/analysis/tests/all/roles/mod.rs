@@ -145,6 +145,7 @@ const LAYOUTS: &[Layout] = &[
     ("boots, no time by name", &[("boot_id", 'b'), ("uptime", 't'), ("y", 'y')], Read(&[1, 1, 1])),
     ("boots and a fall", &[("boot", 'b'), ("load", 'q'), ("y", 'y')], Read(&[1, 1, 1])),
     ("boots and a device", &[("id", 'c'), ("boots", 'b'), ("uptime", 't'), ("y", 'y')], Read(&[2, 2, 2, 2])),
+    ("no names, a clock behind", &[("", 'y'), ("", 'z'), ("", 't')], Read(&[2, 2, 2])),
     ("rows, boots", &[("Nr", 'N'), ("boot", 'b'), ("uptime [s]", 't'), ("y", 'y')], Read(&[0, 2, 2, 2])),
     ("a constant behind the time", &[("time [s]", 't'), ("gain", 'c'), ("y", 'y')], Read(&[0, 0, 0])),
     ("a constant second time", &[("t [s]", 't'), ("t0 [s]", 'c'), ("y", 'y')], Read(&[0, 0, 0])),

@@ -192,9 +192,9 @@ impl Table {
         let unit = |index: &usize| Some(self.columns.get(*index)?.unit.as_ref()?.text.as_str());
         let units: BTreeSet<&str> = group.iter().filter_map(unit).collect();
         match group {
-            [_, _, ..] if named && units.len() == group.len() => Apart::ByUnit,
-            [_, _, ..] if named => Apart::ByNumber,
-            _ => Apart::ByName,
+            [_, _, ..] if named && units.len() == group.len() => Apart::Unit,
+            [_, _, ..] if named => Apart::Number,
+            _ => Apart::Name,
         }
     }
 
@@ -203,8 +203,8 @@ impl Table {
         let Some(column) = self.columns.get(index) else { return String::new() };
         let name = if column.name.is_empty() { self.number(index).to_string() } else { column.name.clone() };
         let name = match (apart, &column.unit) {
-            (Apart::ByUnit, Some(unit)) => format!("{name} [{}]", unit.text),
-            (Apart::ByNumber, _) => format!("{name} #{}", self.number(index)),
+            (Apart::Unit, Some(unit)) => format!("{name} [{}]", unit.text),
+            (Apart::Number, _) => format!("{name} #{}", self.number(index)),
             _ => name,
         };
         match column.body.as_ref().filter(|_| many) {
@@ -217,7 +217,7 @@ impl Table {
 /// Means by which columns of one name in one body are told apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Apart {
-    ByName,
-    ByUnit,
-    ByNumber,
+    Name,
+    Unit,
+    Number,
 }

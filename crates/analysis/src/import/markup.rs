@@ -91,11 +91,11 @@ fn html(text: &str) -> Vec<String> {
             "style" => Some("/style"),
             _ => None,
         };
-        if matches!(name.as_str(), "td" | "th" | "tr" | "/td" | "/th" | "/tr" | "table" | "/table") {
-            if let Some(cell) = cell.take() {
-                cells.push(cell);
-                cells.extend(std::iter::repeat_n(String::new(), span - 1));
-            }
+        if matches!(name.as_str(), "td" | "th" | "tr" | "/td" | "/th" | "/tr" | "table" | "/table")
+            && let Some(cell) = cell.take()
+        {
+            cells.push(cell);
+            cells.extend(std::iter::repeat_n(String::new(), span - 1));
         }
         match name.as_str() {
             "td" | "th" => {

@@ -53,7 +53,12 @@ fn reads_what_it_writes(table: &analysis::table::Table) {
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     for dialect in [Dialect::Commas, Dialect::Semicolons] {
         let text = csv::write(&names, &full, dialect);
-        let Ok(again) = import::text(text.as_bytes()) else { panic!("{text}") };
+        let again = match import::text(text.as_bytes()) {
+            Ok(again) => again,
+            // `1,295` beside `926` can be either, so that a person is asked.
+            Err(error) if matches!(error.reason, import::Refusal::Separator { .. }) => continue,
+            Err(error) => panic!("{error}\n{text}"),
+        };
         let values: Vec<&[f64]> = again.table.columns.iter().map(|column| column.values.as_slice()).collect();
         assert_eq!(values, full, "{text}");
     }

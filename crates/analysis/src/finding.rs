@@ -11,7 +11,8 @@ pub use heading::{Certainty, Heading};
 use units::{Language, say};
 pub(crate) use words::readings;
 use words::{
-    backwards, called, clock, decimal, json, missing, nuls, overflow, reading, rounded_step, runs, separator, word,
+    backwards, called, clock, decimal, json, labels, missing, nuls, overflow, reading, repeated, rounded_step, runs,
+    separator, word,
 };
 
 /// Note for the user on their data. Lines and rows count from 1; times are in SI.
@@ -25,6 +26,13 @@ pub enum Finding {
     DataSets(data_sets::Remark),
     /// The table was read from JSON; these lists of another length were left out.
     Json(Vec<String>),
+    /// The table was read from a text in a markup language, which has this number of other tables.
+    Markup {
+        /// The language.
+        markup: import::Markup,
+        /// Number of other tables.
+        others: usize,
+    },
     /// This number of NUL bytes was left out.
     Nuls(usize),
     /// Overflows of the counter of a clock were undone.
@@ -149,6 +157,13 @@ pub enum Finding {
     },
     /// The runs of a logger, each with its own clock.
     Runs(Vec<String>),
+    /// A column of words names the run of each row.
+    Labels {
+        /// The column.
+        column: String,
+        /// Names of the runs.
+        runs: Vec<String>,
+    },
     /// Role of columns, where it is unclear.
     Role(roles::Remark),
     /// No unit is stated for a time; it is taken as seconds, or in a fit as the unit of the model's time.
@@ -172,6 +187,15 @@ pub enum Finding {
         unit: &'static str,
         /// Number of rows.
         count: usize,
+    },
+    /// Rows that repeat the values of the row before in a pattern, as in a film that was converted to another frame rate.
+    Repeated {
+        /// Labels of the columns.
+        columns: Vec<String>,
+        /// Number of these rows.
+        count: usize,
+        /// Number of rows.
+        of: usize,
     },
     /// Rows with an earlier time than the row before.
     Backwards {
@@ -222,6 +246,12 @@ impl Finding {
             Self::DataSets(remark) => remark.text(language),
             Self::Device(remark) => remark.text(language),
             Self::Json(left_out) => json(left_out, language),
+            Self::Markup { markup, others: 0 } => say!(language, "the table was read from {}", markup.name()),
+            Self::Markup { markup, others } => say!(
+                language,
+                "the table was read from {}: the one with the most cells; other tables left out: {others}",
+                markup.name()
+            ),
             Self::Nuls(count) => nuls(*count, language),
             Self::Overflow { column, bits, count } => overflow(column, *bits, *count, language),
             Self::Word { line, column, text } => word(*line, column, text, language),
@@ -300,6 +330,7 @@ impl Finding {
                      it was not delayed on the way"
             ),
             Self::Runs(names) => runs(names, language),
+            Self::Labels { column, runs } => labels(column, runs, language),
             Self::Role(remark) => remark.text(language),
             Self::AssumedSeconds(column) => {
                 let column = called(column, language);
@@ -332,6 +363,7 @@ impl Finding {
                 "{count} rows repeat the time of the row before, the first at {}",
                 reading(*time, unit, language)
             ),
+            Self::Repeated { columns, count, of } => repeated(columns, *count, *of, language),
             Self::Backwards { time, unit, count } => backwards(*time, unit, *count, language),
             Self::Uneven(jitter) => say!(
                 language,

@@ -2,6 +2,7 @@
 
 use crate::cycles;
 use crate::finding::Finding;
+use crate::repeats::repeats;
 use crate::sampling::{self, Examination, Sampling};
 use crate::stencil::{self, Recognised};
 use crate::table::Table;
@@ -90,9 +91,9 @@ impl Inspector {
         self.observed.iter().copied().filter(of_it).take(COLUMNS).collect()
     }
 
-    /// Finds columns that were computed from others.
+    /// Finds columns that were computed from others, and rows that repeat values.
     fn compare(&mut self, table: &Table, independent: usize, mut times: Vec<f64>, mut sampling: sampling::Sampling) {
-        // Number of rows that suffices to recognise a formula.
+        // Number of rows that suffices to recognise a formula or a pattern of repeats.
         const ROWS: usize = 5000;
         let columns = self.columns_of(table, independent);
         let inspection = &mut self.inspection;
@@ -120,6 +121,17 @@ impl Inspector {
                 stencil: recognised.stencil,
                 attenuation,
             });
+        }
+        let is_derived = |column: &usize| inspection.derived.iter().any(|derived| derived.column == *column);
+        let measured: Vec<usize> = columns.iter().copied().filter(|column| !is_derived(column)).collect();
+        let found = measured.iter().map(|column| (repeats(values(*column)), table.label(*column)));
+        let mut found: Vec<(Vec<usize>, String)> = found.filter(|(rows, _)| !rows.is_empty()).collect();
+        // One note for the columns that repeat the same rows.
+        while let Some((rows, _)) = found.first().cloned() {
+            let (same, others): (Vec<_>, Vec<_>) = found.into_iter().partition(|(other, _)| *other == rows);
+            let columns = same.into_iter().map(|(_, label)| label).collect();
+            inspection.findings.push(Finding::Repeated { columns, count: rows.len(), of: times.len() });
+            found = others;
         }
     }
 

@@ -17,6 +17,7 @@ pub mod lookup;
 pub mod origin;
 mod packed;
 pub mod reading;
+mod repeats;
 pub mod roles;
 mod run_name;
 pub mod sampling;

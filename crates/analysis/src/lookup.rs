@@ -1,7 +1,7 @@
 //! Lookup of columns by the text that a user types.
 
 use crate::run_name;
-use crate::table::Table;
+use crate::table::{Column, Table};
 use std::fmt;
 
 /// Reason why a column is not found.
@@ -26,8 +26,9 @@ impl std::error::Error for LookupError {}
 
 impl Table {
     /// Index of the column that `which` means: by name (`y`), body and name (`mass_A.y`), whole heading (`time_ms`),
-    /// number in the file, from 1 (`2` or `#2`), or body and number (`Run 2.#2`). Case and a unit after the name may differ if only one name matches. If
-    /// several bodies have a column of this name, that of the first is returned.
+    /// number in the file, from 1 (`2`, `#2`, or `##2` beside a column that is named `#2`), body and number (`Run 2.#2`), or
+    /// label ([`Table::label`]). Case and a unit after the name may differ if only one name matches. If several bodies have
+    /// a column of this name, that of the first is returned.
     ///
     /// # Errors
     /// No column matches, or several do: columns of one name in one body, names that differ only in case, or a name that is
@@ -50,7 +51,7 @@ impl Table {
             return self.one(numbered_in_body);
         }
         let mut named = self.named(which, &same);
-        if let Some(number) = which.strip_prefix('#').or(Some(which)).and_then(|digits| digits.parse::<usize>().ok()) {
+        if let Ok(number) = which.trim_start_matches('#').parse::<usize>() {
             let numbered = (0..self.columns.len()).find(|index| self.number(*index) == number);
             named.extend(numbered.filter(|index| !named.contains(index)));
             // A name and a number that match two columns are ambiguous, whatever their bodies.
@@ -71,11 +72,13 @@ impl Table {
                 return self.one(found);
             }
         }
-        Err(LookupError::Unknown)
+        // `t #3`, as messages call columns of one name.
+        self.labels().iter().position(|label| label == which).ok_or(LookupError::Unknown)
     }
 
-    /// Text that selects only this column: its label if it is one word, or `#` with its number; for runs that follow one
-    /// another in a file, whose columns have the same numbers, with the name of the run: `Run 2.#3`.
+    /// Text that selects only this column: its label if it is one word, or `#` with its number (several `#` if a column is
+    /// named so); for runs that follow one another in a file, whose columns have the same numbers, with the name of the
+    /// run: `Run 2.#3`.
     pub fn typed(&self, index: usize) -> String {
         let label = self.label(index);
         let number = format!("#{}", self.number(index));
@@ -84,10 +87,14 @@ impl Table {
         if is_word && selects(&label) {
             return label;
         }
-        match self.columns.get(index).and_then(|column| column.body.as_ref()).filter(|_| !selects(&number)) {
-            Some(body) => format!("{body}.{number}"),
-            None => number,
+        if selects(&number) {
+            return number;
         }
+        if let Some(body) = self.columns.get(index).and_then(|column| column.body.as_ref()) {
+            return format!("{body}.{number}");
+        }
+        let signs = |column: &Column| column.name.bytes().take_while(|byte| *byte == b'#').count();
+        "#".repeat(self.columns.iter().map(signs).max().unwrap_or(0)) + &number
     }
 
     /// Columns whose name, or body and name, is `which`.

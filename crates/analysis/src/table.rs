@@ -3,7 +3,7 @@
 use crate::error_name::{self, Belongs};
 use crate::origin::Origin;
 use crate::run_name;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use units::Unit;
 
 /// Measured data as columns of equal length.
@@ -152,31 +152,72 @@ impl Table {
     /// Labels of all columns, as [`Table::label`] gives each.
     pub fn labels(&self) -> Vec<String> {
         let mut names: BTreeMap<&str, usize> = BTreeMap::new();
-        for column in &self.columns {
+        let mut groups: BTreeMap<(Option<&str>, &str), Vec<usize>> = BTreeMap::new();
+        for (index, column) in self.columns.iter().enumerate() {
             *names.entry(&column.name).or_default() += 1;
+            groups.entry((column.body.as_deref(), &column.name)).or_default().push(index);
         }
-        let label = |(index, column): (usize, &Column)| match (&column.body, names.get(column.name.as_str())) {
-            // Columns without a name are distinguished by their numbers.
-            (Some(_), _) if column.name.is_empty() => self.label(index),
-            (Some(body), Some(2..)) => format!("{body}.{}", column.name),
-            _ if column.name.is_empty() => self.number(index).to_string(),
-            _ => column.name.clone(),
-        };
-        self.columns.iter().enumerate().map(label).collect()
+        let mut labels = vec![String::new(); self.columns.len()];
+        for ((_, name), group) in &groups {
+            let apart = self.told_apart(group);
+            let many = names.get(name).is_some_and(|count| *count > 1);
+            for index in group {
+                if let Some(label) = labels.get_mut(*index) {
+                    // Columns without a name are distinguished by their numbers.
+                    *label = if name.is_empty() { self.label(*index) } else { self.labelled(*index, many, apart) };
+                }
+            }
+        }
+        labels
     }
 
-    /// Name of a column for users: its name, or its number without one; with its body if that is ambiguous.
+    /// Name of a column for users: its name, or its number without one; with its body if that is ambiguous. Columns of one
+    /// name in one body are told apart by their units, `t [ms]`, or else by their numbers, `t #3`.
     pub fn label(&self, index: usize) -> String {
         let Some(column) = self.columns.get(index) else { return String::new() };
         let number = self.number(index);
-        let name = if column.name.is_empty() { number.to_string() } else { column.name.clone() };
-        let same = |(other, _): &(usize, &Column)| {
+        let same = |other: &usize| {
             self.columns.get(*other).is_some_and(|other| other.name == column.name)
                 && (!column.name.is_empty() || self.number(*other) == number)
         };
-        match &column.body {
-            Some(body) if self.columns.iter().enumerate().filter(same).count() > 1 => format!("{body}.{name}"),
-            _ => name,
+        let same: Vec<usize> = (0..self.columns.len()).filter(same).collect();
+        let beside = |other: &usize| self.columns.get(*other).is_some_and(|other| other.body == column.body);
+        let group: Vec<usize> = same.iter().copied().filter(beside).collect();
+        self.labelled(index, same.len() > 1, self.told_apart(&group))
+    }
+
+    /// Means by which columns of one name in one body are told apart.
+    fn told_apart(&self, group: &[usize]) -> Apart {
+        let named = group.iter().all(|index| self.columns.get(*index).is_some_and(|column| !column.name.is_empty()));
+        let unit = |index: &usize| Some(self.columns.get(*index)?.unit.as_ref()?.text.as_str());
+        let units: BTreeSet<&str> = group.iter().filter_map(unit).collect();
+        match group {
+            [_, _, ..] if named && units.len() == group.len() => Apart::Unit,
+            [_, _, ..] if named => Apart::Number,
+            _ => Apart::Name,
         }
     }
+
+    /// Name or number of a column, with its body if `many` columns have this name, and with its unit or number.
+    fn labelled(&self, index: usize, many: bool, apart: Apart) -> String {
+        let Some(column) = self.columns.get(index) else { return String::new() };
+        let name = if column.name.is_empty() { self.number(index).to_string() } else { column.name.clone() };
+        let name = match (apart, &column.unit) {
+            (Apart::Unit, Some(unit)) => format!("{name} [{}]", unit.text),
+            (Apart::Number, _) => format!("{name} #{}", self.number(index)),
+            _ => name,
+        };
+        match column.body.as_ref().filter(|_| many) {
+            Some(body) => format!("{body}.{name}"),
+            None => name,
+        }
+    }
+}
+
+/// Means by which columns of one name in one body are told apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Apart {
+    Name,
+    Unit,
+    Number,
 }

@@ -20,7 +20,7 @@ use units::Language;
 pub fn run(arguments: &Cycles, terminal: Terminal) -> Result<(), Failure> {
     let data = data::read(
         &arguments.data,
-        Stated { units: &arguments.unit, against: &arguments.against, ..Stated::default() },
+        Stated { units: &arguments.unit, against: &arguments.against, dates: arguments.dates, ..Stated::default() },
     )?;
     let record = record(&data, arguments)?;
     let format = format(arguments);

@@ -16,7 +16,7 @@ use units::Unit;
 pub fn run(arguments: &Derivatives, terminal: Terminal) -> Result<(), Failure> {
     let data = data::read(
         &arguments.data,
-        Stated { units: &arguments.unit, against: &arguments.against, ..Stated::default() },
+        Stated { units: &arguments.unit, against: &arguments.against, dates: arguments.dates, ..Stated::default() },
     )?;
     let Observe { quantity, .. } = &arguments.observe;
     let column = data.column(&arguments.observe, &[])?;

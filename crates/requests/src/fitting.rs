@@ -11,7 +11,7 @@ use analysis::fit::Loss;
 use engine::table::Column;
 use runner::Refusal;
 use runner::fitting::{FitSettings, Fitted, Theory, fit_as_json, fit_as_text, settle_units, task};
-use runner::names::{Assignment, Observe, observe};
+use runner::names::{Assignment, Observe, date_order, observe};
 use runner::records::{Measured, measured};
 use runner::{ColumnValues, TableColumn};
 use serde::{Deserialize, Serialize};
@@ -54,6 +54,7 @@ enum Bounds {
 pub struct Asked {
     observe: Vec<Observed>,
     against: Vec<String>,
+    dates: Option<String>,
     unit: GivenByName,
     seat: Option<u64>,
     vary: Vec<String>,
@@ -186,6 +187,7 @@ impl Asked {
         Ok(FitSettings {
             observe: self.observe.into_iter().map(observed).collect::<Result<_, _>>()?,
             against: self.against,
+            dates: self.dates.map(|order| date_order(&order)).transpose().map_err(Fault::Value)?,
             unit: assignments(&self.unit),
             seat: seat(self.seat)?,
             vary: names(&self.vary),

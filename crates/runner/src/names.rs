@@ -1,5 +1,6 @@
 //! Arguments with a name and a value: `NAME=VALUE`, and observed quantities, `y=COLUMN`.
 
+use analysis::import::DateOrder;
 use program::Seat;
 
 /// A name with a value.
@@ -62,6 +63,11 @@ pub struct Observe {
     pub quantity: String,
     /// Column of the data, if stated.
     pub column: Option<String>,
+}
+
+/// Parses `day-first` or `month-first`.
+pub fn date_order(text: &str) -> Result<DateOrder, String> {
+    DateOrder::from_code(text).ok_or_else(|| "write day-first or month-first".to_owned())
 }
 
 /// Parses `y`, `y=COLUMN`, `y'=v`, and `Run 2.y`, the `y` of a run or body.

@@ -177,3 +177,20 @@ pub(super) fn overflow(column: &str, bits: i32, count: usize, language: Language
         ),
     }
 }
+
+/// Note on rows that repeat the values of the row before.
+pub(super) fn repeated(columns: &[String], count: usize, of: usize, language: Language) -> String {
+    let columns: Vec<String> = columns.iter().map(|column| called(column, language)).collect();
+    let columns = columns.join(", ");
+    say!(
+        language,
+        "{count} of {of} rows repeat the value of {columns} in the row before, at regular distances, as a film does that was converted to another frame rate: their times are wrong; leave these rows out, or use the original film"
+    )
+}
+
+/// Note on a column of words that names the run of each row.
+pub(super) fn labels(column: &str, runs: &[String], language: Language) -> String {
+    let (column, names) = (called(column, language), runs.join(", "));
+    let example = runs.first().map(String::as_str).unwrap_or_default();
+    say!(language, "the words in {column} divide the rows: {names}; each has its own columns, such as `{example}.y`")
+}

@@ -20,3 +20,9 @@ pub(super) fn keep(lines: &mut Vec<Between>, row: usize, line: usize, text: &str
         lines.push(Between { row, line, text: text.to_owned() });
     }
 }
+
+/// True if the first number of a column stands below one of these lines.
+pub(super) fn begins(lines: &[Between], column: &[f64]) -> bool {
+    let first = column.iter().position(|value| value.is_finite());
+    first.is_some_and(|row| lines.binary_search_by_key(&row, |line| line.row).is_ok())
+}

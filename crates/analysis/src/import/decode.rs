@@ -1,6 +1,7 @@
 //! Decoding of bytes to text, with an error for files that are not text.
 
 use super::lines;
+use super::markup;
 use super::program::Program;
 use super::refusal::{ImportError, Refusal};
 use std::borrow::Cow;
@@ -44,6 +45,9 @@ pub fn look(start: &[u8]) -> Result<(), ImportError> {
     }
     let text = text.trim_start();
     let begins = |tag: &&str| text.get(..tag.len()).is_some_and(|first| first.eq_ignore_ascii_case(tag));
+    if markup::is_html(text) {
+        return Ok(());
+    }
     if ["<?xml", "<!doctype", "<html"].iter().any(begins) {
         if let Some(program) = Program::of_xml(text) {
             return refuse(Refusal::Program(program));

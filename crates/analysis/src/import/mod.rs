@@ -11,7 +11,9 @@ mod format;
 mod head;
 mod influx;
 mod json;
+mod labels;
 mod lines;
+mod markup;
 mod mixed;
 mod notation;
 mod notes;
@@ -25,6 +27,7 @@ mod sections;
 mod separators;
 #[cfg(test)]
 mod slices;
+mod stated;
 mod times;
 
 pub use cells::Delimiter;
@@ -33,10 +36,12 @@ pub(crate) use decode::characters;
 pub use decode::look;
 pub use device::Remark as DeviceRemark;
 pub use format::Format;
+pub use markup::Markup;
 pub use program::Program;
 pub use refusal::{ImportError, Refusal};
+pub(crate) use stated::is_unit;
+pub use stated::{DateOrder, state_dates, stated_unit, unit};
 
-use crate::conversion::Conversion;
 use crate::finding::Finding;
 use crate::origin::Origin;
 use crate::table::{Column, Table};
@@ -44,15 +49,15 @@ use crate::{roles, scale_line};
 use device::Device;
 use doubts::called;
 use first::First;
-use head::{Head, Meant};
+use head::Head;
 use json::Json;
+use markup::MarkedTable;
 use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
 use rows::Rows;
 use std::borrow::Cow;
 use times::stamp::Stamped;
 use times::{clock, overflow, serial_days, settle, stamp};
-use units::Unit;
 
 /// Imported table, with notes on how it was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,6 +138,14 @@ impl<'a> Importer<'a> {
             Some(Json::NoTable) => return Err(ImportError::new(None, Refusal::Json)),
             None => {}
         }
+        if let Some(table) = markup::read(&text) {
+            return Self::of_markup(text, table);
+        }
+        Self::of_text(text)
+    }
+
+    /// Begins to read a text that is neither JSON nor markup, nor the file of a known instrument.
+    fn of_text(text: Cow<'a, str>) -> Result<Self, ImportError> {
         if let Some(cells) = influx::read(&text) {
             let remark = DeviceRemark::Recognised { name: "InfluxDB" };
             return Self::of_cells(text, cells, Finding::Device(remark));
@@ -170,6 +183,18 @@ impl<'a> Importer<'a> {
         let mut importer = begun.map_err(|(error, _)| ImportError { line: None, ..error })?;
         importer.sheet = true;
         importer.findings.push(finding);
+        Ok(importer)
+    }
+
+    /// Begins to read the table of a text in a markup language, by the rules of texts.
+    fn of_markup(text: Cow<'a, str>, table: MarkedTable) -> Result<Self, ImportError> {
+        let error = |reason| ImportError::new(None, reason);
+        if table.cells.is_empty() {
+            return Err(error(Refusal::Markup));
+        }
+        let mut importer = Self::of_text(Cow::Owned(table.cells)).map_err(|own| error(own.reason))?;
+        (importer.original, importer.sheet) = (Some(text), true);
+        importer.findings.push(Finding::Markup { markup: table.markup, others: table.others });
         Ok(importer)
     }
 
@@ -294,6 +319,7 @@ impl<'a> Importer<'a> {
             Pass::Refused(error) => return Err(error),
             _ => return Err(ImportError::new(None, Refusal::Empty)),
         };
+        rows.leave_out_codes();
         let head_lines: Vec<&str> = text[..first.offset].lines().collect();
         let mut heads = head::read(&head_lines, format.delimiter, &rows.below(), &mut findings);
         rows.widen(heads.len(), &text);
@@ -313,6 +339,7 @@ impl<'a> Importer<'a> {
         doubts::dates(&clocks, &heads, first.line + 1)?;
         doubts::unread(&rows, &heads)?;
         let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
+        let names: Vec<String> = heads.iter().map(|head| head.name.clone()).collect();
         let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
@@ -337,6 +364,7 @@ impl<'a> Importer<'a> {
         let roles = roles::assign(&mut table);
         findings.extend(errors(&table).into_iter().take(FINDINGS).map(Finding::Heading));
         if table.readings.is_empty() {
+            runs::by_words(&mut table, &rows.others, &names, &mut findings);
             runs::side_by_side(&mut table, &rows.repeats, &rows.titles);
         }
         let labels = table.labels();
@@ -411,21 +439,4 @@ fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (V
         columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
     }
     (columns, kept)
-}
-
-/// True for a unit by its symbol or a word, or a scale of temperatures: `ms`, `Sekunden`, `°C`.
-pub(crate) fn is_unit(text: &str) -> bool {
-    head::is_unit(text)
-}
-
-/// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.
-pub fn unit(text: &str) -> Option<Unit> {
-    head::unit_of(text)
-}
-
-/// Unit that a person states for a column of this name, with the conversion of its numbers to values in the unit: all that
-/// headings state, such as `°C`.
-pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
-    let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
-    Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
 }

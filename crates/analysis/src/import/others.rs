@@ -2,6 +2,7 @@
 
 use super::clock::{self, Reading};
 use super::head;
+use super::labels::Labels;
 use super::number::{self, Signs};
 
 /// Cells of a column besides plain numbers and gaps.
@@ -14,6 +15,10 @@ pub(super) struct Others {
     pub first_digits: Option<(usize, String)>,
     /// Line, text and value of the first number in an unusual notation.
     pub notation: Option<(usize, String, f64)>,
+    /// Number of words of letters and digits, such as `7BC4`.
+    pub codes: usize,
+    /// The words, if few are different.
+    pub labels: Labels,
     /// Line and text of the first word.
     pub first: Option<(usize, String)>,
     /// Times of day and dates, with their rows.

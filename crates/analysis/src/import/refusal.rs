@@ -26,7 +26,7 @@ pub enum Refusal {
     },
     /// The file contains bytes that do not occur in text.
     Binary,
-    /// The file is XML or HTML, and not a Tracker project.
+    /// The file is XML, and not a Tracker project, or HTML without a table.
     Markup,
     /// The file is one of a program that can export text.
     Program(Program),
@@ -115,7 +115,7 @@ impl ImportError {
             // The beginning of the file says it, and no line.
             Refusal::Kind { name } => return say!(language, "this is not text but {name}"),
             Refusal::Binary => language.say("this is not text: it has bytes that no text has").to_owned(),
-            Refusal::Markup => language.say("this is XML or HTML, not a table").to_owned(),
+            Refusal::Markup => language.say("this is XML, or HTML without a table").to_owned(),
             Refusal::Program(program) => {
                 return say!(language, "this is a file of {}, which only that program reads", program.name());
             }
@@ -174,7 +174,7 @@ impl ImportError {
             Refusal::Json => language.say("write a list of records, `[{\"t\": 0, \"x\": 1}, …]`, or lists by name, `{\"t\": […], \"x\": […]}`"),
             Refusal::Commas { .. } => language.say("export it again with tabs or semicolons between the columns"),
             Refusal::Separator { .. } => language.say("export it again without signs between the thousands"),
-            Refusal::Dates { .. } => language.say("write the dates as 2026-01-02, or state the order by a date with a day above 12"),
+            Refusal::Dates { .. } => language.say("state the order with --dates day-first or --dates month-first, or write the dates as 2026-01-02"),
             Refusal::Unread { .. } | Refusal::UnreadLines { .. } => language.say("write plain numbers into these cells, or leave them empty"),
             Refusal::Times { .. } => language.say("write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"),
             Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup => language.say("export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"),

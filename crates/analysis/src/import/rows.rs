@@ -200,11 +200,14 @@ impl Rows {
                 mine.words += 1;
                 // A code such as `7BC4` or `CH1` is no number that failed.
                 let is_code = text.bytes().all(|byte| byte.is_ascii_alphanumeric());
-                if !is_code && text.contains(|letter: char| letter.is_ascii_digit()) {
+                let digits = text.contains(|letter: char| letter.is_ascii_digit());
+                mine.codes += usize::from(is_code && digits);
+                if !is_code && digits {
                     mine.digits += 1;
                     mine.first_digits.get_or_insert_with(|| (line, excerpt(text)));
                 }
                 mine.first.get_or_insert_with(|| (line, excerpt(text)));
+                mine.labels.add(row, text);
                 What::Word
             }
             Other::Clock(reading) => {
@@ -281,6 +284,17 @@ impl Rows {
         }
     }
 
+    /// Turns columns of codes into words: among `97E4`, `3D44` and `90BD`, `5E69` and `0134` are no numbers.
+    pub fn leave_out_codes(&mut self) {
+        let numbers = |values: &Vec<f64>| values.iter().filter(|value| value.is_finite()).count();
+        let is_code = |(values, others): (&Vec<f64>, &Others)| others.codes > numbers(values).max(2);
+        let codes: Vec<bool> = self.columns.iter().zip(&self.others).map(is_code).collect();
+        for (column, _) in codes.into_iter().enumerate().filter(|(_, is_code)| *is_code) {
+            self.leave_out(column);
+            self.reject(column);
+        }
+    }
+
     /// Counts the unused times and numbers with units of a column as words.
     pub fn reject(&mut self, column: usize) {
         let Some(mine) = self.others.get_mut(column) else { return };
@@ -302,6 +316,9 @@ impl Rows {
     /// Properties of the rows needed to read the header.
     pub fn below(&self) -> Below<'_> {
         let wide = self.columns.len().max(self.others.len());
+        // Columns that begin below a second header are not those of the first.
+        let later = |column: &usize| self.columns.get(*column).is_some_and(|own| between::begins(&self.between, own));
+        let wide = wide - (0..wide).rev().take_while(later).count();
         let numeric = |column: usize| {
             let others = self.others.get(column);
             let beside = others.map_or(0, |others| others.clocks.len() + others.with_units.len());

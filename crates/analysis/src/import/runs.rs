@@ -1,6 +1,9 @@
-//! Runs one below the other, recognised by a clock that restarts.
+//! Runs in the rows of a table: one below the other, recognised by a clock that restarts, or named by a column of words.
 
 use super::cells::COLUMNS;
+use super::doubts::called;
+use super::others::Others;
+use crate::finding::Finding;
 use crate::roles;
 use crate::table::{Column, Table};
 use units::Dimension;
@@ -25,27 +28,65 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize], titles: &[Strin
     let mut starts = vec![0];
     starts.extend(repeats.iter().copied().filter(|row| (1..length).contains(row) && begins_again(row)));
     let ends: Vec<usize> = starts.iter().skip(1).copied().chain([length]).collect();
-    let longest = starts.iter().zip(&ends).map(|(start, end)| end - start).max().unwrap_or(0);
-    let count = table.columns.len();
     let named = table.columns.iter().any(|column| column.body.is_some());
-    // Runs of very different lengths would need much memory for gaps.
-    let too_many = starts.len() * count > COLUMNS || starts.len() * longest > 20 * length;
-    if starts.len() < 2 || named || too_many {
+    if starts.len() < 2 || named {
         return;
     }
     let title = |run: usize| match titles.get(run) {
         Some(title) if titles.len() == starts.len() => title.clone(),
         _ => format!("Run {}", run + 1),
     };
-    let mut columns = Vec::with_capacity(starts.len() * count);
-    for (run, (start, end)) in starts.iter().zip(&ends).enumerate() {
+    let parts: Vec<(String, Vec<usize>)> = starts
+        .iter()
+        .zip(&ends)
+        .enumerate()
+        .map(|(run, (start, end))| (title(run), (*start..*end).collect()))
+        .collect();
+    divide(table, &parts);
+}
+
+/// Divides the rows by a column of words that names the run of each: sensors that take turns, or boards in one log. `names`
+/// are the names of all columns of the file, one per entry of `others`.
+pub(super) fn by_words(table: &mut Table, others: &[Others], names: &[String], findings: &mut Vec<Finding>) {
+    let clocks: Vec<usize> = table.clocks().collect();
+    let [clock] = clocks[..] else { return };
+    if table.columns.iter().any(|column| column.body.is_some()) {
+        return;
+    }
+    let is_left_out = |index: &usize| table.columns.iter().all(|column| column.origin.number != index + 1);
+    for (index, others) in others.iter().enumerate().filter(|(index, _)| is_left_out(index)) {
+        let heading = names.get(index).map_or("", String::as_str);
+        let parts = others.labels.runs(&table.columns[clock].values, heading);
+        if parts.is_empty() {
+            continue;
+        }
+        if divide(table, &parts) {
+            let column = called(heading, index);
+            findings.retain(|finding| *finding != Finding::WordColumn(column.clone()));
+            let runs = parts.into_iter().map(|(name, _)| name).collect();
+            findings.push(Finding::Labels { column, runs });
+        }
+        return;
+    }
+}
+
+/// Moves the rows of each run beside each other, as bodies of these names. Returns false, without a change, if that would
+/// need too much memory for gaps.
+fn divide(table: &mut Table, parts: &[(String, Vec<usize>)]) -> bool {
+    let (count, length) = (table.columns.len(), table.rows());
+    let longest = parts.iter().map(|(_, rows)| rows.len()).max().unwrap_or(0);
+    if parts.len() * count > COLUMNS || parts.len() * longest > 20 * length {
+        return false;
+    }
+    let mut columns = Vec::with_capacity(parts.len() * count);
+    for (run, (title, rows)) in parts.iter().enumerate() {
         for column in &table.columns {
-            let mut values = column.values[*start..*end].to_vec();
+            let mut values: Vec<f64> = rows.iter().map(|row| column.values[*row]).collect();
             values.resize(longest, f64::NAN);
             columns.push(Column {
                 name: column.name.clone(),
                 unit: column.unit.clone(),
-                body: Some(title(run)),
+                body: Some(title.clone()),
                 independent: column.independent + run * count,
                 values,
                 origin: column.origin.clone(),
@@ -53,6 +94,7 @@ pub(super) fn side_by_side(table: &mut Table, repeats: &[usize], titles: &[Strin
         }
     }
     table.columns = columns;
+    true
 }
 
 /// Rows at which the only clock of a table restarts at its first time, within the least step. Empty unless the times of

@@ -3,7 +3,7 @@
 use super::bodies::{self, is_in_time, may_be_time, preferred};
 use super::layout::{Layout, is_complete, layout};
 use super::names::{is_error, is_frame, is_row_number, is_time, tag};
-use super::numbers::{are_equal, are_even, are_monotone, are_parallel, count, increase};
+use super::numbers::{are_constant, are_equal, are_even, are_monotone, are_parallel, are_stairs, count, increase};
 use crate::origin::Reason;
 use crate::table::Column;
 use units::order::sort;
@@ -35,7 +35,9 @@ pub(super) fn decide(columns: &[Column]) -> Decision {
         return Decision { owners: bodies::owners(columns, &clocks), clocks, reason, readings: Vec::new() };
     }
     let named = columns.iter().any(|column| !column.name.is_empty());
-    Table { columns, errors: errors(columns), named }.decide()
+    let table = Table { columns, errors: errors(columns), named, still: Vec::new() };
+    let still = table.still();
+    Table { still, ..table }.decide()
 }
 
 fn errors(columns: &[Column]) -> Vec<bool> {
@@ -49,11 +51,30 @@ struct Table<'a> {
     errors: Vec<bool>,
     /// True if any column has a name.
     named: bool,
+    /// One per column: true if it cannot be an independent variable, because it stands still; empty if none can be ruled out.
+    still: Vec<bool>,
 }
 
 impl Table<'_> {
+    /// Columns that stand still: constants, and counters of the starts of a logger. Empty unless another column can be the
+    /// independent variable of at least one more.
+    fn still(&self) -> Vec<bool> {
+        let is_time = |column: &Column| tag(&column.name).is_some() && may_be_time(column) || is_in_time(column);
+        let is_still = |column: &Column| are_constant(&column.values) || !is_time(column) && are_stairs(&column.values);
+        let still: Vec<bool> = self.columns.iter().map(is_still).collect();
+        let moves = |index: &usize| !still[*index] && self.is(*index, &|column| column.filled() > 1);
+        let moving: Vec<usize> = (0..still.len()).filter(moves).collect();
+        let is_clock = |index: &usize| self.is_monotone(*index) || self.is(*index, &is_time);
+        if moving.len() > 1 && moving.iter().any(is_clock) { still } else { Vec::new() }
+    }
+
+    fn is_still(&self, index: usize) -> bool {
+        self.still.get(index).copied().unwrap_or(false)
+    }
+
     fn decide(&self) -> Decision {
         let times = self.all(&|column| tag(&column.name).is_some() && may_be_time(column));
+        let times: Vec<usize> = times.into_iter().filter(|time| !self.is_still(*time)).collect();
         let exact: Vec<usize> =
             times.iter().copied().filter(|time| self.is(*time, &|column| is_time(&column.name))).collect();
         if self.values(&times).is_empty()
@@ -65,11 +86,15 @@ impl Table<'_> {
         if let Some(primary) = preferred(self.columns, &exact).or(times.first().copied()) {
             return self.timed(primary, Reason::Name, exact.is_empty(), &times);
         }
-        let first = (0..self.columns.len()).find(|index| !self.numbers_rows(*index)).unwrap_or(0);
+        let first =
+            (0..self.columns.len()).find(|index| !self.numbers_rows(*index) && !self.is_still(*index)).unwrap_or(0);
         let period = self.is(first, &|column| column.name == "T" && may_be_time(column));
         let by_unit = self.all(&|column| is_in_time(column) && column.name != "T");
         // Times that do not increase are values if the first column can be their independent variable.
-        let is_clock = |index: &&usize| **index == first || self.increases(**index) || !self.is_monotone(first);
+        let is_clock = |index: &&usize| {
+            let moves = !self.is_still(**index);
+            moves && (**index == first || self.increases(**index) || !self.is_monotone(first))
+        };
         if let Some(time) = by_unit.iter().find(is_clock).filter(|_| !period) {
             return self.timed(*time, Reason::Unit, true, &[]);
         }
@@ -80,7 +105,10 @@ impl Table<'_> {
     fn timed(&self, primary: usize, reason: Reason, inexact: bool, times: &[usize]) -> Decision {
         let further: Vec<usize> = (0..self.columns.len())
             .filter(|index| {
-                *index != primary && !self.is_error(*index) && self.is(*index, &|column| column.filled() > 1)
+                *index != primary
+                    && !self.is_error(*index)
+                    && !self.is_still(*index)
+                    && self.is(*index, &|column| column.filled() > 1)
             })
             .filter(|index| {
                 times.binary_search(index).is_ok()
@@ -105,7 +133,8 @@ impl Table<'_> {
         };
         let named = self.layout(&with(&clocks)).filter(|layout| layout.by_names);
         // A column before several times may be their independent variable: lengths and periods.
-        let before = values(&with(&further));
+        let mut before = values(&with(&further));
+        before.retain(|value| !self.is_still(*value));
         let leads = before.iter().all(|value| *value < primary && further.iter().all(|time| value < time));
         if inexact
             && named.is_none()
@@ -152,6 +181,7 @@ impl Table<'_> {
         let counter = (0..first).find(|index| self.numbers_rows(*index));
         let others: Vec<usize> = (first..self.columns.len())
             .filter(|index| self.is(*index, &|column| column.filled() > 1) && !self.is_error(*index))
+            .filter(|index| !self.is_still(*index))
             .collect();
         let Some(counter) = counter.filter(|_| others.len() > 1) else {
             let clocks =
@@ -179,6 +209,19 @@ impl Table<'_> {
     /// Decision for a table without names: the first column, unless others may be clocks by their numbers.
     fn unnamed(&self) -> Decision {
         let of = |index: usize| self.columns.get(index).map(|column| column.values.as_slice()).unwrap_or_default();
+        if self.is_still(0)
+            && let Some(clock) = (1..self.columns.len()).find(|index| increase(of(*index)))
+        {
+            return self.single(clock, Reason::Increases);
+        }
+        // Behind values that go up and down, the only column that increases, and evenly, is the clock.
+        let mut rising = (1..self.columns.len()).filter(|index| increase(of(*index)));
+        if !self.is_monotone(0)
+            && let (Some(clock), None) = (rising.next(), rising.next())
+            && are_even(of(clock))
+        {
+            return self.single(clock, Reason::Increases);
+        }
         let last = self.columns.len().saturating_sub(1);
         let even: Vec<usize> = (1..last).filter(|index| are_even(of(*index))).collect();
         if count(of(0)) && are_even(of(0)) && even.first() == Some(&1) && !self.equals(0, 1) {

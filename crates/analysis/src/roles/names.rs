@@ -4,7 +4,7 @@ use crate::error_name::{self, Belongs};
 use std::collections::BTreeSet;
 
 /// Names of times, in several languages.
-const TIMES: [&str; 17] = [
+const TIMES: [&str; 18] = [
     "t",
     "time",
     "tiempo",
@@ -20,6 +20,7 @@ const TIMES: [&str; 17] = [
     "zeitstempel",
     "hora",
     "uhrzeit",
+    "uptime",
     "millis",
     "micros",
 ];

@@ -30,6 +30,25 @@ fn in_order(values: &[f64], holds: impl Fn(f64, f64) -> bool) -> bool {
     steps > 0
 }
 
+/// True if there are several numbers, all equal.
+pub(super) fn are_constant(values: &[f64]) -> bool {
+    let mut finite = values.iter().copied().filter(|value| value.is_finite());
+    let Some(first) = finite.next() else { return false };
+    let mut others = 0_usize;
+    finite.all(|value| {
+        others += 1;
+        value == first
+    }) && others > 0
+}
+
+/// True if the numbers are whole, and at least half of them equal the one before, as those that count the starts of a
+/// logger do.
+pub(super) fn are_stairs(values: &[f64]) -> bool {
+    let steps = || values.iter().zip(values.iter().skip(1)).filter(|(one, next)| one.is_finite() && next.is_finite());
+    let level = steps().filter(|(one, next)| one == next).count();
+    level > 0 && 2 * level >= steps().count() && are_whole(values)
+}
+
 /// True if all numbers are whole.
 pub(super) fn are_whole(values: &[f64]) -> bool {
     values.iter().all(|value| value.is_nan() || value.fract() == 0.0)

@@ -4,6 +4,7 @@ use super::moment::{Meaning, Moment};
 use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_COLUMNS};
 use super::source::{Progress, SheetSource, SheetText};
+use super::styles::NumberFormat;
 use crate::packed::{Tag, Token, Xml};
 
 /// Path of the part with the sheets.
@@ -200,7 +201,9 @@ impl Cell {
         match (moment, self.kind.as_str()) {
             (Some(moment), _) => lines.moment(moment),
             (None, "percentage") if !self.value.is_empty() => lines.percent(&self.value),
-            (None, "float" | "currency") if !self.value.is_empty() => lines.number(&self.value),
+            (None, "float" | "currency") if !self.value.is_empty() => {
+                lines.formatted(&self.value, NumberFormat::shown(&self.text), false);
+            }
             (None, "boolean") => lines.word(if self.value == "true" { "TRUE" } else { "FALSE" }),
             _ if self.text.is_empty() => lines.word(&self.value),
             _ => lines.word(&self.text),

@@ -23,6 +23,15 @@ pub(super) enum NumberFormat {
     Unit(UnitText),
 }
 
+impl NumberFormat {
+    /// Format of a number from the text that its cell shows: with the unit behind the last digit, `3.1 ms`.
+    pub fn shown(text: &str) -> Self {
+        let behind =
+            text.rsplit(|letter: char| letter.is_ascii_digit()).next().filter(|behind| behind.len() < text.len());
+        behind.and_then(UnitText::of).map_or(Self::Plain, Self::Unit)
+    }
+}
+
 /// Text of a unit in a number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct UnitText {

@@ -27,7 +27,7 @@ fn what_is_no_table_is_refused_with_place_and_reason() {
         (b"\x7fELF\x02\x01\x01\0\0\0", "this is not text: it has bytes that no text has"),
         (
             b"<?xml version=\"1.0\"?>\n<object class=\"org.opensourcephysics.cabrillo.tracker\">",
-            "this is XML or HTML, not a table",
+            "this is XML, or HTML without a table",
         ),
         (b"Dear Ann,\nhow are you?\n", "line 1: there is no table: no line has numbers; the first is `Dear Ann,`"),
         (b"y\n1.5\n2.5\n", "line 2: there is only one column of numbers; a measurement needs the time and a quantity"),

@@ -86,6 +86,11 @@ fn cells_of_open_document_are_read_as_they_are_shown() {
             r#"<table:table-row><table:table-cell office:value-type="percentage" office:value="0.05"/><table:table-cell office:value-type="boolean" office:boolean-value="false"/></table:table-row>"#,
             "5%\tFALSE",
         ),
+        // A number format with a unit, and a currency.
+        (
+            r#"<table:table-row><table:table-cell office:value-type="float" office:value="3.14159"><text:p>3,14 ms</text:p></table:table-cell><table:table-cell office:value-type="float" office:value="-2"><text:p>-2.0°C</text:p></table:table-cell><table:table-cell office:value-type="currency" office:value="5"><text:p>5,00 €</text:p></table:table-cell><table:table-cell office:value-type="float" office:value="1500"><text:p>1.5E3</text:p></table:table-cell></table:table-row>"#,
+            "3.14159 ms\t-2 °C\t5\t1500",
+        ),
         // A remark is not content of its cell, and cells covered by a merged one are empty.
         (
             r#"<table:table-row><table:table-cell office:value-type="float" office:value="1"><office:annotation><text:p>why?</text:p></office:annotation></table:table-cell><table:covered-table-cell/><table:table-cell office:value-type="float" office:value="3"/></table:table-row>"#,

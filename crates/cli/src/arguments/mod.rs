@@ -8,9 +8,10 @@ use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
 use crate::sweep::arguments::{SWEEP_EXAMPLES, Sweep};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
+use analysis::import::DateOrder;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use run_settings::RunSettings;
-use runner::names::{Assignment, Observe, assignment, observe};
+use runner::names::{Assignment, Observe, assignment, date_order, observe};
 use std::path::PathBuf;
 use units::Language;
 
@@ -256,6 +257,10 @@ pub struct Cycles {
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,
 
+    /// The order of dates such as 02/03/2024, day-first or month-first, where their numbers do not show it
+    #[arg(long, value_name = "ORDER", value_parser = date_order)]
+    pub dates: Option<DateOrder>,
+
     /// Leave out what is before this time, in the unit of the file or as '500 [ms]'
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub from: Option<String>,
@@ -303,6 +308,10 @@ pub struct Derivatives {
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,
+
+    /// The order of dates such as 02/03/2024, day-first or month-first, where their numbers do not show it
+    #[arg(long, value_name = "ORDER", value_parser = date_order)]
+    pub dates: Option<DateOrder>,
 
     /// The finite differences
     #[arg(long, value_enum, default_value_t = Difference::Central, conflicts_with = "smooth")]

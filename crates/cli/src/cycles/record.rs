@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use analysis::cycles;
 use runner::names::Observe;
 use runner::records::{Measured, limits};
+use runner::{listed, quoted};
 use units::Language;
 
 /// The analysed record and its cycles.
@@ -37,23 +38,55 @@ pub fn record<'a>(data: &'a Measured, arguments: &Cycles) -> Result<Record<'a>, 
         None => data.called(column),
     };
     let table = &data.table;
+    let part = |column: usize| part_of(data, column, arguments);
+    let (times, values) = part(column)?;
+    let found = cycles::cycles(&times, &values).map_err(|reason| {
+        let reason = reason.text(Language::English, &|value| format!("{value:.1}"));
+        let others = oscillating(data, column, &part);
+        let hint = match others.len() {
+            0 => "choose another column with --observe NAME=COLUMN, or another part with --from and --until".to_owned(),
+            1 => format!("{} oscillates: write --observe {}", others[0].0, others[0].1),
+            _ => {
+                let named = |(label, _): &(String, String)| label.clone();
+                let option = |(_, option): &(String, String)| format!("--observe {option}");
+                let (labels, options) = (others.iter().map(named), others.iter().map(option).collect::<Vec<_>>());
+                format!("{} oscillate: write {}", listed(labels), options.join(" or "))
+            }
+        };
+        Failure::with_hint(format!("{}: {name}, {} rows. {reason}", data.name, times.len()), hint)
+    })?;
+    let unit = table.columns[column].unit.as_ref().map(|unit| unit.text.clone()).unwrap_or_default();
+    Ok(Record { data, column, name, unit, times, values, found })
+}
+
+/// Times, in seconds, and values of a column in the part stated in the arguments.
+fn part_of(data: &Measured, column: usize, arguments: &Cycles) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+    let table = &data.table;
     let time = table.columns.get(table.columns[column].independent);
     let time_unit = time.and_then(|time| time.unit.as_ref());
     let part = limits(arguments.from.as_deref(), arguments.until.as_deref(), time_unit)?;
     let rows = time.map(|time| time.si(None)).unwrap_or_default().into_iter().zip(&table.columns[column].values);
-    let (times, values): (Vec<f64>, Vec<f64>) = rows
+    Ok(rows
         .filter(|(time, value)| part.contains(time) && value.is_finite())
         .map(|(time, value)| (time, *value))
-        .unzip();
-    let found = cycles::cycles(&times, &values).map_err(|reason| {
-        let reason = reason.text(Language::English, &|value| format!("{value:.1}"));
-        Failure::with_hint(
-            format!("{}: {name}, {} rows. {reason}", data.name, times.len()),
-            "choose another column with --observe NAME=COLUMN, or another part with --from and --until",
-        )
-    })?;
-    let unit = table.columns[column].unit.as_ref().map(|unit| unit.text.clone()).unwrap_or_default();
-    Ok(Record { data, column, name, unit, times, values, found })
+        .unzip())
+}
+
+/// Labels of the measured columns other than `but` that oscillate, with the texts that select them.
+fn oscillating(
+    data: &Measured,
+    but: usize,
+    part: &dyn Fn(usize) -> Result<(Vec<f64>, Vec<f64>), Failure>,
+) -> Vec<(String, String)> {
+    // Upper bound of the columns that are tried, and of those that are named.
+    const TRIED: usize = 24;
+    const NAMED: usize = 4;
+    let usable =
+        |column: &usize| *column != but && data.check_roles(*column).is_ok() && data.check_times(*column).is_ok();
+    let oscillates =
+        |column: &usize| part(*column).is_ok_and(|(times, values)| cycles::cycles(&times, &values).is_ok());
+    let columns = data.table.observed_columns().filter(usable).take(TRIED).filter(oscillates).take(NAMED);
+    columns.map(|column| (data.called(column), quoted(data.table.typed(column)))).collect()
 }
 
 /// Column with the largest range of values. Considers measured columns with the clock and the unit of the first one.

@@ -1,10 +1,11 @@
 //! Arguments of `meniscus fit` and `meniscus rank`.
 
 use analysis::fit::Loss;
+use analysis::import::DateOrder;
 use clap::{Args, ValueEnum};
 use program::Seat;
 use runner::fitting::FitSettings;
-use runner::names::{Assignment, Observe, assignment, observe, seat};
+use runner::names::{Assignment, Observe, assignment, date_order, observe, seat};
 use std::path::PathBuf;
 
 /// Shown after the help of `meniscus fit`.
@@ -49,6 +50,10 @@ pub struct Common {
     /// State the unit of a column that the file does not, such as t=ms
     #[arg(long, value_name = "NAME=UNIT", value_parser = assignment)]
     pub unit: Vec<Assignment>,
+
+    /// The order of dates such as 02/03/2024, day-first or month-first, where their numbers do not show it
+    #[arg(long, value_name = "ORDER", value_parser = date_order)]
+    pub dates: Option<DateOrder>,
 
     /// Take the assigned values of this seat
     #[arg(long, value_name = "N", value_parser = seat)]
@@ -109,6 +114,7 @@ impl From<&Common> for FitSettings {
         Self {
             observe: arguments.observe,
             against: arguments.against,
+            dates: arguments.dates,
             unit: arguments.unit,
             seat: arguments.seat,
             vary: arguments.vary,

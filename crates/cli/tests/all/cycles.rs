@@ -147,6 +147,30 @@ fn what_cannot_be_read_is_refused_with_the_remedy() {
     );
     refused(b"Dear Ann,\nhow are you?\n", &[], &["line 1: there is no table", "hint: a table has one row a line"]);
     refused(b"t,y\n0,1\n1,1\n2,1\n", &[], &["does not oscillate", "--observe NAME=COLUMN"]);
+    // Columns that oscillate are named, by what selects them.
+    let with = |heads: &str, columns: &[usize]| {
+        (0..60).fold(format!("{heads}\n"), |text, row| {
+            let value = |place: &usize| match place {
+                0 => format!("{}", 20.0 + 0.1 * f64::from(row)),
+                _ => format!("{:.4}", *place as f64 * libm::cos(0.5 * f64::from(row))),
+            };
+            let cells: Vec<String> = columns.iter().map(value).collect();
+            text + &format!("{},{}\n", f64::from(row) / 10.0, cells.join(","))
+        })
+    };
+    for (heads, columns, hint) in [
+        ("t [s],T [K],y [cm]", &[0, 1][..], "y oscillates: write --observe y\n"),
+        ("t [s],T [K],y,y", &[0, 1, 2], "y #3 and y #4 oscillate: write --observe '#3' or --observe '#4'"),
+        ("t [s],T [K],y [cm],y [V]", &[0, 1, 2], "y [cm] and y [V] oscillate: write --observe '#3' or"),
+        ("t [s],T [K],p [Pa]", &[0, 0], "--observe NAME=COLUMN"),
+        ("t [s],T [K],left wing", &[0, 1], "left wing oscillates: write --observe '#3'"),
+    ] {
+        refused(with(heads, columns).as_bytes(), &[], &["T, 60 rows. This column does not oscillate", hint]);
+    }
+    let open = "date,y\n01/02/2024,1\n03/01/2024,2\n02/04/2024,1\n05/03/2024,2\n";
+    refused(open.as_bytes(), &[], &["the day first or the month first", "--dates day-first or --dates month-first"]);
+    refused(open.as_bytes(), &["--dates", "month-first"], &["y, 4 rows. This column does not oscillate"]);
+    refused(open.as_bytes(), &["--dates", "dmy"], &["write day-first or month-first"]);
     let good = text("t\ty", false);
     refused(
         good.as_bytes(),

@@ -81,10 +81,17 @@ impl ShownRecords<'_> {
 
     fn record_view(self, record: &Record) -> RecordView {
         let independent = &self.open.play.model().independent.name;
+        let labels = record.table.labels();
         let column = |(index, (column, used)): (usize, (&analysis::table::Column, &Use))| {
             let unit = column.unit.as_ref().map(|unit| number::unit_text(&unit.text)).unwrap_or_default();
-            let name =
-                if column.name.is_empty() { record.table.number(index).to_string() } else { column.name.clone() };
+            let number = record.table.number(index).to_string();
+            // Columns of one name and unit are told apart by their numbers.
+            let apart = labels.get(index).filter(|label| label.ends_with(&format!(" #{number}")));
+            let name = match apart {
+                Some(_) => format!("{} #{number}", column.name),
+                None if column.name.is_empty() => number,
+                None => column.name.clone(),
+            };
             let body = column.body.as_ref().map(|body| format!("{body}: ")).unwrap_or_default();
             let understood = understood(self.open.play, record, index);
             ColumnView {

@@ -112,7 +112,7 @@ def settings(until, set, start, preset, press, draw, method, step, tolerance, se
     return stated
 
 
-def fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude) -> dict[str, Any]:
+def fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, dates, unit, seat, exclude) -> dict[str, Any]:
     """Settings of a fit."""
     if isinstance(observe, Mapping):
         observed: list[Any] = [(quantity, str(column)) for quantity, column in observe.items()]
@@ -131,6 +131,7 @@ def fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, beg
         "begin": None if begin is None else text(begin),
         "until": None if until is None else text(until),
         "against": names(against),
+        "dates": dates,
         "unit": by_name("unit", unit),
         "seat": None if seat is None else operator.index(seat),
         "exclude": [str(rows) for rows in (exclude if are_several(exclude) else [exclude]) if rows is not None],

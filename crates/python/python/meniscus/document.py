@@ -202,6 +202,7 @@ class Document:
         begin: Value | None = None,
         until: Value | None = None,
         against: str | Sequence[str] | None = None,
+        dates: str | None = None,
         unit: Mapping[str, str] | None = None,
         seat: int | None = None,
         exclude: int | str | Sequence[int | str] | None = None,
@@ -214,7 +215,8 @@ class Document:
         constant. ``fix``: parameters that are held; ``{"y_offset": 0}`` leaves out the offset. ``tie``: parameters that are
         expressions of others, ``{"L2": "2*L1"}``; ``L:2`` is ``L`` in the second record. ``start``, ``bounds``: where is searched; of several starts, ``{"w": [3, 5, 8]}`` or ``{"w": "3..9 step 1"}``, the best search counts. ``share``: numbers
         with one value in all records. ``error``: standard errors, values or columns. ``begin``, ``until``: the fitted part.
-        ``against``: the column of the independent variable. ``unit``: units of columns that a file does not state. ``exclude``:
+        ``against``: the column of the independent variable. ``dates``: the order of dates such as 02/03/2024,
+        ``day-first`` or ``month-first``. ``unit``: units of columns that a file does not state. ``exclude``:
         rows that are left out, ``17`` (from 1), ``"20..30"``, ``"t=1.5..2"``, or a column that is not 0 in them. ``profile``: also
         intervals from the profile of chi-square.
         """
@@ -222,7 +224,7 @@ class Document:
         measured = records(data, observe, arrays)
         request = {
             "data": measured,
-            "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
+            "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, dates, unit, seat, exclude),
             "profile": bool(profile),
         }
         value, buffers = asked("fit", [self._opened], request, arrays, _paths(measured))
@@ -276,6 +278,7 @@ def rank(
     begin: Value | None = None,
     until: Value | None = None,
     against: str | Sequence[str] | None = None,
+    dates: str | None = None,
     unit: Mapping[str, str] | None = None,
     seat: int | None = None,
     exclude: int | str | Sequence[int | str] | None = None,
@@ -289,7 +292,7 @@ def rank(
     measured = records(data, observe, arrays)
     request = {
         "data": measured,
-        "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, unit, seat, exclude),
+        "settings": fit_settings(observe, vary, fix, tie, start, bounds, share, error, loss, begin, until, against, dates, unit, seat, exclude),
         "predict_from": None if predict_from is None else text(predict_from),
     }
     value, buffers = asked("rank", [document._opened for document in documents], request, arrays, _paths(measured))

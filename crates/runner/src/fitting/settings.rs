@@ -3,6 +3,7 @@
 use crate::names::{Assignment, Observe};
 use crate::records::Stated;
 use analysis::fit::Loss;
+use analysis::import::DateOrder;
 use document::Document;
 use program::Seat;
 
@@ -15,6 +16,8 @@ pub struct FitSettings {
     pub against: Vec<String>,
     /// Units of columns that the file does not state.
     pub unit: Vec<Assignment>,
+    /// Order of day and month in dates, where the numbers do not show it.
+    pub dates: Option<DateOrder>,
     /// Seat whose assigned values are taken.
     pub seat: Option<Seat>,
     /// Varied numbers; empty: those of the document's front matter.
@@ -47,6 +50,7 @@ impl FitSettings {
         let variable = &document.program.model.independent;
         Stated {
             units: &self.unit,
+            dates: self.dates,
             against: &self.against,
             variable: Some((&variable.name, variable.unit.dimension)),
             observed: &self.observe,

@@ -44,6 +44,10 @@ pub struct Measured {
 /// # Errors
 /// Bytes that are no table, a statement about a column that does not exist, or an unknown unit.
 pub fn measured(name: String, bytes: Vec<u8>, stated: Stated) -> Result<Measured, Refusal> {
+    let bytes = match stated.dates {
+        Some(order) => import::state_dates(bytes, order),
+        None => bytes,
+    };
     let kept = (bytes.len() <= MOST_CARRIED).then(|| bytes.clone());
     let contents = reading::read(bytes, MOST_BYTES as usize);
     let import = contents.map_err(|error| refused(&name, error))?.import;

@@ -3,6 +3,7 @@
 use crate::names::{Assignment, Observe};
 use crate::quoted::quoted;
 use crate::refusal::{Refusal, listed};
+use analysis::import::DateOrder;
 use analysis::lookup::LookupError;
 use analysis::origin::Reason;
 use analysis::roles::Remark;
@@ -16,6 +17,8 @@ pub struct Stated<'a> {
     pub units: &'a [Assignment],
     /// Independent variables, as typed.
     pub against: &'a [String],
+    /// Order of day and month in dates, where the numbers do not show it.
+    pub dates: Option<DateOrder>,
     /// Name and dimension of the document's independent variable; `None` without a document.
     pub variable: Option<(&'a str, Dimension)>,
     /// Observed quantities.

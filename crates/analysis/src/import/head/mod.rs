@@ -63,6 +63,13 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
     // A title is followed by a blank line, the name of a body is not.
     let mut titles = 0;
     let settings = prose::settings(lines, delimiter);
+    let comments: Vec<&str> = lines.iter().map(|line| uncommented(line)).collect();
+    let all = lines.iter().zip(&comments).all(|(line, bare)| bare.len() < line.len() || line.trim().is_empty());
+    if let Some(names) = prose::numbered(&comments, columns).filter(|_| all) {
+        let heads: Vec<Head> = names.into_iter().map(of_list).collect();
+        say(&heads, findings);
+        return heads;
+    }
     for (number, line) in lines.iter().enumerate() {
         let bare = uncommented(line);
         let is_comment = bare.len() < line.len();
@@ -125,6 +132,14 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
     doubt_astronomy(&mut heads);
     say(&heads, findings);
     heads
+}
+
+/// Head from an entry of a list of columns, in which the unit may follow a comma: `Height, km`.
+fn of_list(entry: &str) -> Head {
+    match entry.rsplit_once(',') {
+        Some((name, unit)) if is_unit(unit.trim()) => with_unit(name.trim(), unit.trim()),
+        _ => of_cell(entry),
+    }
 }
 
 /// Leaves the unit `au` open where no other column is a length: loggers write it for arbitrary units.

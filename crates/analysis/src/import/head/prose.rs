@@ -76,6 +76,10 @@ pub(super) fn is_prose(line: &str, delimiter: Delimiter, columns: usize) -> bool
         return false;
     }
     let labels: Vec<label::Label> = cells.iter().map(|cell| label::read(cell)).collect();
+    // A setting of the program that wrote the file.
+    if cells.iter().any(|cell| *cell == "=" || cell.ends_with('=')) || line.contains(" =") {
+        return true;
+    }
     let whole = |cell: &&str| bare_unit(cell).len() < cell.len() || meant::unit(cell, "").is_some();
     if cells.iter().all(whole) {
         return false;
@@ -113,6 +117,25 @@ pub(super) fn without_run(line: &str, is_comment: bool) -> &str {
         }
         _ => line,
     }
+}
+
+/// Names of all columns from comments that number them, `1 Height, km`, `2: Temperature [K]`; `None` without them.
+pub(super) fn numbered<'a>(comments: &[&'a str], columns: usize) -> Option<Vec<&'a str>> {
+    let numbered = |line: &&'a str| {
+        let line = line.trim();
+        let line = line.strip_prefix("Column ").or_else(|| line.strip_prefix("column ")).unwrap_or(line);
+        let end = line.find(|letter: char| !letter.is_ascii_digit())?;
+        let (number, rest) = line.split_at(end);
+        let name = rest.trim_start_matches([':', '.', ')', '=', ' ', '\t']);
+        let is_apart = rest.len() > name.len() && name.starts_with(char::is_alphabetic);
+        Some((number.parse::<usize>().ok()?, name)).filter(|_| is_apart)
+    };
+    let read: Vec<Option<(usize, &str)>> = comments.iter().map(numbered).collect();
+    let start = (0..(read.len() + 1).saturating_sub(columns)).rev().find(|start| {
+        let block = read.iter().skip(*start).take(columns).enumerate();
+        columns > 1 && block.clone().all(|(place, line)| line.is_some_and(|(number, _)| number == place + 1))
+    })?;
+    read.into_iter().skip(start).take(columns).map(|line| line.map(|(_, name)| name)).collect()
 }
 
 /// Lines of settings, `XInc:,0.04`: at least three lines of a name with a colon and its value.

@@ -68,6 +68,21 @@ fn numeric(text: &str) -> Option<(Date, &str)> {
     Some((date, rest))
 }
 
+/// Date of three numbers with the month first or the day first, as `2024-02-20`; `None` for other texts.
+///
+/// # Errors
+/// The date has only the other order.
+pub(in crate::import) fn in_order(text: &str, month_first: bool) -> Option<Result<String, ()>> {
+    let (date, _) = numeric(text).filter(|(date, rest)| rest.is_empty() && date.order != Order::Stated)?;
+    if date.order == if month_first { Order::DayFirst } else { Order::MonthFirst } {
+        return Some(Err(()));
+    }
+    let parts: Vec<&str> = text.split(['/', '-']).collect();
+    let [first, second, third] = parts[..] else { return None };
+    let (month, day) = if month_first { (first, second) } else { (second, first) };
+    Some(Ok(format!("{:04}-{:02}-{:02}", year(third)?, number(month)?, number(day)?)))
+}
+
 fn number(text: &str) -> Option<i64> {
     (!text.is_empty() && text.len() <= 4 && text.bytes().all(|byte| byte.is_ascii_digit()))
         .then(|| text.parse().ok())

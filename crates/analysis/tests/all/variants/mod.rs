@@ -1,6 +1,11 @@
 //! Enumerated variants of texts: names, units, delimiters, decimal signs, dates, headers between rows, notations. None is
 //! read wrongly in silence, and few are refused.
 
+mod columns;
+mod dates;
+mod markup;
+mod runs;
+
 use analysis::import;
 use std::collections::BTreeMap;
 use units::Unit;
@@ -305,6 +310,10 @@ fn wrong(import: &import::Import, variant: &Variant) -> Option<String> {
             |column: &&analysis::table::Column| column.name == expected.name && column.body.as_deref() == expected.body;
         let place = if expected.name.is_empty() { import.table.columns.get(index) } else { None };
         let Some(column) = place.or_else(|| import.table.columns.iter().find(named)) else {
+            // A column of words is left out.
+            if expected.values.is_empty() {
+                continue;
+            }
             return Some(format!("no {:?}.{}", expected.body, expected.name));
         };
         let si = |unit: &Option<Unit>, value: f64| unit.as_ref().map_or(value, |unit| unit.to_si(value));
@@ -328,7 +337,21 @@ fn wrong(import: &import::Import, variant: &Variant) -> Option<String> {
 #[test]
 fn variants_are_read_as_a_person_reads_them_or_refused() {
     let mut variants = Vec::new();
-    for add in [names, headers, titles, dates, notations, units_of_instruments, prose, counts] {
+    for add in [
+        names,
+        headers,
+        titles,
+        dates,
+        notations,
+        units_of_instruments,
+        prose,
+        counts,
+        runs::labels,
+        columns::codes,
+        columns::lists,
+        columns::clocks,
+        markup::tables,
+    ] {
         add(&mut variants);
     }
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();

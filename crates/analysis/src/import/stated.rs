@@ -1,0 +1,76 @@
+//! Statements of a person about a file: units of columns, and the order of day and month in dates.
+
+use super::decode;
+use super::head::{self, Meant};
+use super::times::date;
+use crate::conversion::Conversion;
+use units::Unit;
+
+/// True for a unit by its symbol or a word, or a scale of temperatures: `ms`, `Sekunden`, `°C`.
+pub(crate) fn is_unit(text: &str) -> bool {
+    head::is_unit(text)
+}
+
+/// Unit by its symbol or a word, as written over columns: `ms`, `msec`, `Sekunden`.
+pub fn unit(text: &str) -> Option<Unit> {
+    head::unit_of(text)
+}
+
+/// Unit that a person states for a column of this name, with the conversion of its numbers to values in the unit: all that
+/// headings state, such as `°C`.
+pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)> {
+    let meant = head::meant_unit(text, name).or_else(|| Some(Meant { unit: unit(text)?, reading: None }))?;
+    Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
+}
+
+/// Order of day and month in the dates of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DateOrder {
+    /// `20/02/2024`
+    DayFirst,
+    /// `02/20/2024`
+    MonthFirst,
+}
+
+impl DateOrder {
+    /// Both orders.
+    pub const ALL: [Self; 2] = [Self::DayFirst, Self::MonthFirst];
+
+    /// Name in settings: `day-first`, `month-first`.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::DayFirst => "day-first",
+            Self::MonthFirst => "month-first",
+        }
+    }
+
+    /// Order of this name in settings.
+    pub fn from_code(code: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|order| order.code() == code)
+    }
+}
+
+/// Bytes of a text with its dates of three numbers, `02/03/2024`, written as `2024-03-02`. Bytes that are no text, and a text
+/// in which one of these dates has the other order, are returned unchanged.
+pub fn state_dates(bytes: Vec<u8>, order: DateOrder) -> Vec<u8> {
+    let Ok(text) = decode::decode(&bytes) else { return bytes };
+    let is_part = |letter: char| letter.is_ascii_digit() || matches!(letter, '/' | '-' | '.');
+    let mut written = String::with_capacity(text.len());
+    let mut rest = &*text;
+    let mut before = ' ';
+    while let Some(start) = rest.find(|letter: char| letter.is_ascii_digit()) {
+        let (other, from) = rest.split_at(start);
+        let (part, after) = from.split_at(from.find(|letter: char| !is_part(letter)).unwrap_or(from.len()));
+        let alone = !is_part(other.chars().next_back().unwrap_or(before)) && !other.ends_with(char::is_alphanumeric);
+        written.push_str(other);
+        match date::in_order(part, order == DateOrder::MonthFirst).filter(|_| alone) {
+            Some(Ok(date)) => written.push_str(&date),
+            Some(Err(())) => return bytes,
+            None => written.push_str(part),
+        }
+        before = part.chars().next_back().unwrap_or(' ');
+        rest = after;
+    }
+    written.push_str(rest);
+    written.into_bytes()
+}

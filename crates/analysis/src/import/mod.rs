@@ -43,11 +43,9 @@ pub(crate) use stated::is_unit;
 pub use stated::{DateOrder, state_dates, stated_unit, unit};
 
 use crate::finding::Finding;
-use crate::origin::Origin;
-use crate::table::{Column, Table};
+use crate::table::Table;
 use crate::{roles, scale_line};
 use device::Device;
-use doubts::called;
 use first::First;
 use head::Head;
 use json::Json;
@@ -340,7 +338,8 @@ impl<'a> Importer<'a> {
         doubts::unread(&rows, &heads)?;
         let apart = if sections.len() > 1 { sections::apart(&sections, &mut rows) } else { Default::default() };
         let names: Vec<String> = heads.iter().map(|head| head.name.clone()).collect();
-        let (mut columns, mut kept) = if apart.0.is_empty() { columns(heads, &mut rows, &mut findings) } else { apart };
+        let (mut columns, mut kept) =
+            if apart.0.is_empty() { sections::whole(heads, &mut rows, &mut findings) } else { apart };
         if columns.iter().filter(|column| column.filled() > 0).count() < 2 {
             return Err(ImportError::new(Some(first.line + 1), Refusal::OneColumn));
         }
@@ -405,38 +404,4 @@ pub fn sheet(cells: &str) -> Result<Import, ImportError> {
     let mut importer = Importer::of_sheet(Cow::Borrowed(cells))?;
     while !importer.advance(usize::MAX) {}
     Ok(importer.finish()?.0)
-}
-
-/// Columns that hold numbers or have a name, and their indices in the file.
-fn columns(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (Vec<Column>, Vec<usize>) {
-    let mut columns = Vec::with_capacity(heads.len());
-    let mut kept = Vec::new();
-    for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
-        let words = rows.words_in(index);
-        let filled = values.iter().any(|value| value.is_finite());
-        if !filled && (words > 0 || head.name.is_empty()) {
-            // Empty columns without a name come from a delimiter at the end of each line; columns of words are not
-            // measurements.
-            if words > 0 && findings.len() < FINDINGS {
-                findings.push(Finding::WordColumn(called(&head.name, index)));
-            }
-            continue;
-        }
-        if !filled && findings.len() < FINDINGS {
-            findings.push(Finding::EmptyColumn(called(&head.name, index)));
-        }
-        kept.push(index);
-        let (conversion, first_word) = (head.conversion(), rows.first_word(index));
-        let origin = Origin {
-            heading: head.heading,
-            unit: head.origin,
-            words,
-            first_word,
-            conversion,
-            number: index + 1,
-            ..Origin::default()
-        };
-        columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
-    }
-    (columns, kept)
 }

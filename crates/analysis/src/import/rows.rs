@@ -1,7 +1,7 @@
 //! Rows: one pass over the bytes, with numbers stored directly in columns.
 
 use super::between::{self, Between};
-use super::cells::{COLUMNS, Cells, Delimiter};
+use super::cells::{COLUMNS, Cells, plain};
 use super::format::Format;
 use super::head::{self, Below};
 use super::number::{self, Cell};
@@ -393,41 +393,4 @@ impl Rows {
 fn is_in(header: &[&str], line: &str) -> bool {
     let line = line.trim();
     !line.is_empty() && header.iter().any(|header| header.trim() == line)
-}
-
-/// Reads a line that holds only numbers, gaps and delimiters. Returns false for any other.
-fn plain(line: &[u8], format: &Format, row: &mut Vec<f64>) -> bool {
-    let any_blanks = format.delimiter == Delimiter::Blanks;
-    let delimiter = match format.delimiter.byte() {
-        Some(byte) => byte,
-        None if any_blanks => b' ',
-        None => return false,
-    };
-    let is_blank = |byte: u8| byte != delimiter && matches!(byte, b' ' | b'\t') || any_blanks && byte == b'\t';
-    let mut at = 0;
-    let skip = |mut at: usize| {
-        while line.get(at).is_some_and(|byte| is_blank(*byte) || any_blanks && *byte == b' ') {
-            at += 1;
-        }
-        at
-    };
-    loop {
-        at = skip(at);
-        match number::scan(&line[at..], format.decimal) {
-            Some((value, length)) => {
-                row.push(value);
-                at += length;
-            }
-            None if line.get(at).is_none_or(|byte| *byte == delimiter) => row.push(f64::NAN),
-            None => return false,
-        }
-        let after = skip(at);
-        match line.get(after) {
-            None => return true,
-            // The skipped blanks are the delimiter.
-            Some(_) if any_blanks && after > at => at = after,
-            Some(byte) if !any_blanks && *byte == delimiter => at = after + 1,
-            Some(_) => return false,
-        }
-    }
 }

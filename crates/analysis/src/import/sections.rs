@@ -1,7 +1,9 @@
 //! Headers and titles between the rows. Each begins a section, which has its own names and units.
 
 use super::cells::{COLUMNS, Delimiter};
+use super::doubts::called;
 use super::head::{self, Below, Head};
+use super::notes::FINDINGS;
 use super::rows::Rows;
 use crate::finding::Finding;
 use crate::origin::{Origin, UnitOrigin};
@@ -251,6 +253,40 @@ pub(super) fn apart(sections: &[Section], rows: &mut Rows) -> (Vec<Column>, Vec<
             columns.push(Column { name, unit, body, independent: 0, values, origin });
             kept.push(index);
         }
+    }
+    (columns, kept)
+}
+
+/// Columns that hold numbers or have a name, and their indices in the file.
+pub(super) fn whole(heads: Vec<Head>, rows: &mut Rows, findings: &mut Vec<Finding>) -> (Vec<Column>, Vec<usize>) {
+    let mut columns = Vec::with_capacity(heads.len());
+    let mut kept = Vec::new();
+    for (index, (head, values)) in heads.into_iter().zip(std::mem::take(&mut rows.columns)).enumerate() {
+        let words = rows.words_in(index);
+        let filled = values.iter().any(|value| value.is_finite());
+        if !filled && (words > 0 || head.name.is_empty()) {
+            // Empty columns without a name come from a delimiter at the end of each line; columns of words are not
+            // measurements.
+            if words > 0 && findings.len() < FINDINGS {
+                findings.push(Finding::WordColumn(called(&head.name, index)));
+            }
+            continue;
+        }
+        if !filled && findings.len() < FINDINGS {
+            findings.push(Finding::EmptyColumn(called(&head.name, index)));
+        }
+        kept.push(index);
+        let (conversion, first_word) = (head.conversion(), rows.first_word(index));
+        let origin = Origin {
+            heading: head.heading,
+            unit: head.origin,
+            words,
+            first_word,
+            conversion,
+            number: index + 1,
+            ..Origin::default()
+        };
+        columns.push(Column { name: head.name, unit: head.unit, body: head.body, independent: 0, values, origin });
     }
     (columns, kept)
 }

@@ -1,12 +1,13 @@
 //! Corners at which a branch loses its value: emitted code leaves them to the engine.
 
 use crate::compare::{Compared, compare, compare_side_by_side};
-use crate::guarded::{Guarded, others, vessels};
+use crate::guarded::{Guarded, others, tanks, vessels};
 use engine::{Method, Setup};
 
 #[test]
 fn runs_over_guarded_corners_have_the_bits_of_the_interpreter() {
     let all = vessels().into_iter().map(|(_, guarded)| guarded).chain(others());
+    let all = all.chain(tanks().into_iter().step_by(5));
     for (number, Guarded { text, corner }) in all.enumerate() {
         let model = model::compile(&text, std::slice::from_ref(&(0..text.len()))).0.expect(&text).model;
         for method in [Method::VelocityVerlet, Method::RungeKutta4, Method::DormandPrince] {

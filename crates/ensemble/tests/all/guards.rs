@@ -1,7 +1,7 @@
 //! Corners at which a branch loses its value.
 
 use crate::compare::{lanes, single};
-use crate::guarded::{Guarded, others, vessels};
+use crate::guarded::{Guarded, others, tanks, vessels};
 use engine::{Method, Setup};
 use ensemble::Features;
 
@@ -9,6 +9,7 @@ use ensemble::Features;
 fn lanes_over_guarded_corners_have_the_bits_of_single_runs() {
     let mut compared = 0;
     let all = vessels().into_iter().map(|(_, guarded)| guarded).chain(others());
+    let all = all.chain(tanks().into_iter().step_by(5));
     for Guarded { text, corner } in all {
         let model = document::open(&format!("```model\n{text}\n```\n"), &[]).document.expect(&text).program.model;
         let setup = Setup { method: Method::DormandPrince, ..Setup::defaults(&model) };

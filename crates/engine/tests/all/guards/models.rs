@@ -73,7 +73,7 @@ pub fn others() -> Vec<Guarded> {
 
 /// Two tanks that level through a pipe, with the flow written with each guard, inflows that pass through 0 or end, and two widths of the
 /// pipe. Where the inflow is 0, the levels are equal up to rounding.
-pub fn tanks() -> Vec<String> {
+pub fn tanks() -> Vec<Guarded> {
     let flows = [
         "if a >= b then k*sqrt(a - b) else -k*sqrt(b - a)",
         "if a > b then k*sqrt(a - b) else -k*sqrt(b - a)",
@@ -84,10 +84,11 @@ pub fn tanks() -> Vec<String> {
     let mut found = Vec::new();
     for flow in flows {
         for inflow in inflows {
-            for width in ["0.03", "0.3"] {
-                found.push(format!(
+            for (width, corner) in [("0.03", 29.8), ("0.3", 2.98)] {
+                let text = format!(
                     "independent t\nparameter k = {width}\nflow = {flow}\na' = {inflow} - flow\nb' = flow\na(0) = 1\nb(0) = 0.2"
-                ));
+                );
+                found.push(Guarded { text, corner });
             }
         }
     }

@@ -1,8 +1,5 @@
 //! Splitting of a line into cells.
 
-use super::format::Format;
-use super::number;
-
 /// Greatest number of columns of a table.
 pub(super) const COLUMNS: usize = 10_000;
 
@@ -116,43 +113,6 @@ pub(crate) fn cells_of(text: &str) -> impl Iterator<Item = Vec<&str>> {
     let behind = quoted.and_then(|rest| rest.split_once('"')).and_then(|(_, rest)| rest.bytes().next());
     let delimiter = behind.filter(|byte| matches!(byte, b',' | b';')).map_or(Delimiter::Tab, Delimiter::Other);
     text.lines().map(move |line| Cells::of(line, delimiter).collect())
-}
-
-/// Reads a line that holds only numbers, gaps and delimiters. Returns false for any other.
-pub(super) fn plain(line: &[u8], format: &Format, row: &mut Vec<f64>) -> bool {
-    let any_blanks = format.delimiter == Delimiter::Blanks;
-    let delimiter = match format.delimiter.byte() {
-        Some(byte) => byte,
-        None if any_blanks => b' ',
-        None => return false,
-    };
-    let is_blank = |byte: u8| byte != delimiter && matches!(byte, b' ' | b'\t') || any_blanks && byte == b'\t';
-    let mut at = 0;
-    let skip = |mut at: usize| {
-        while line.get(at).is_some_and(|byte| is_blank(*byte) || any_blanks && *byte == b' ') {
-            at += 1;
-        }
-        at
-    };
-    loop {
-        at = skip(at);
-        match number::scan(&line[at..], format.decimal) {
-            Some((value, length)) => {
-                row.push(value);
-                at += length;
-            }
-            None if line.get(at).is_none_or(|byte| *byte == delimiter) => row.push(f64::NAN),
-            None => return false,
-        }
-        let after = skip(at);
-        match line.get(after) {
-            None => return true,
-            // The skipped blanks are the delimiter.
-            Some(_) if any_blanks && after > at => at = after,
-            Some(byte) if !any_blanks && *byte == delimiter => at = after + 1,
-            Some(_) => return false,
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Numbers in the notations of programs: `-1.686115217E2`, `-1,686115217E2`, `−0,5`, `.5`.
 
+use super::cells::Delimiter;
 use super::notation;
 
 /// Powers of ten that `f64` represents exactly.
@@ -183,6 +184,43 @@ pub(super) fn scan(bytes: &[u8], decimal: u8) -> Option<(f64, usize)> {
     let text = core::str::from_utf8(&bytes[..at]).ok()?;
     let number: f64 = if decimal == b',' { text.replace(',', ".").parse().ok()? } else { text.parse().ok()? };
     number.is_finite().then_some((number, at))
+}
+
+/// Reads a line that holds only numbers, gaps and delimiters. Returns false for any other.
+pub(super) fn plain(line: &[u8], (delimiter, decimal): (Delimiter, u8), row: &mut Vec<f64>) -> bool {
+    let any_blanks = delimiter == Delimiter::Blanks;
+    let delimiter = match delimiter.byte() {
+        Some(byte) => byte,
+        None if any_blanks => b' ',
+        None => return false,
+    };
+    let is_blank = |byte: u8| byte != delimiter && matches!(byte, b' ' | b'\t') || any_blanks && byte == b'\t';
+    let mut at = 0;
+    let skip = |mut at: usize| {
+        while line.get(at).is_some_and(|byte| is_blank(*byte) || any_blanks && *byte == b' ') {
+            at += 1;
+        }
+        at
+    };
+    loop {
+        at = skip(at);
+        match scan(&line[at..], decimal) {
+            Some((value, length)) => {
+                row.push(value);
+                at += length;
+            }
+            None if line.get(at).is_none_or(|byte| *byte == delimiter) => row.push(f64::NAN),
+            None => return false,
+        }
+        let after = skip(at);
+        match line.get(after) {
+            None => return true,
+            // The skipped blanks are the delimiter.
+            Some(_) if any_blanks && after > at => at = after,
+            Some(byte) if !any_blanks && *byte == delimiter => at = after + 1,
+            Some(_) => return false,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Rows: one pass over the bytes, with numbers stored directly in columns.
 
 use super::between::{self, Between};
-use super::cells::{COLUMNS, Cells, plain};
+use super::cells::{COLUMNS, Cells};
 use super::format::Format;
 use super::head::{self, Below};
 use super::number::{self, Cell};
@@ -95,7 +95,7 @@ impl Rows {
             let line = line.strip_suffix('\n').map_or(line, |line| line.strip_suffix('\r').unwrap_or(line));
             row.clear();
             let mut width = 0;
-            if !plain(line.as_bytes(), format, &mut row) {
+            if !number::plain(line.as_bytes(), (format.delimiter, format.decimal), &mut row) {
                 row.clear();
                 match self.any(line, number, format, &mut row) {
                     Some(found) => width = found,

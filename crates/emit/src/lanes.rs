@@ -8,9 +8,6 @@ use crate::sink::{Local, Sink};
 use crate::step::Step;
 use engine::{LANES, LanesLayout, LanesListing, Stepper, WindowLayout, WindowListing};
 
-/// Number of steps between two rows after which a run stops: the engine does not allow many more.
-const MANY_STEPS: usize = Stepper::STEP_LIMIT / 2;
-
 /// Emits the loop over rounds and pairs.
 pub(crate) fn rounds(listing: &LanesListing, window: &WindowListing, sink: &mut Sink) {
     let layout = listing.layout;
@@ -281,7 +278,7 @@ impl<'a> Pair<'a> {
             self.count_step(sink, accepted);
         }
         sink.get(self.since);
-        sink.constant(MANY_STEPS as f64);
+        sink.constant(Stepper::MANY_STEPS as f64);
         sink.greater();
         sink.get(*active);
         sink.both();

@@ -13,9 +13,6 @@ type Take<'a> = &'a mut dyn FnMut(usize, f64, &[f64]);
 /// Number of steps of a fixed-step method after which states are examined, if nothing is read in between.
 const UNSEEN: u64 = 64;
 
-/// Number of steps between two rows after which a lane leaves: the engine stops a run that makes too many.
-const MANY_STEPS: usize = Stepper::STEP_LIMIT / 2;
-
 impl Ensemble {
     /// Makes all steps of a fixed-step method.
     pub(crate) fn advance_fixed(&mut self, alone: &mut Alone, take: Take) {
@@ -102,15 +99,23 @@ impl Ensemble {
         let mut intervals = std::mem::take(&mut self.intervals);
         intervals.begin(&lanes.initial);
         let unread = self.readings.is_empty() && !checked;
-        let mut stalled = vec![false; lanes.running.len()];
+        let (mut active, mut stalled) = (vec![false; lanes.running.len()], vec![false; lanes.running.len()]);
         while self.lanes.running.contains(&true) {
-            let Self { method: Method::Adaptive(steps, _), rates, lanes, .. } = self else { return };
+            // The last step of a lane that has come back at a row can reach beyond that row: it makes no step before its intervals
+            // are passed.
+            active.copy_from_slice(&self.lanes.running);
+            for (lane, active) in active.iter_mut().enumerate() {
+                if *active && self.lanes.steps[lane] >= Stepper::MANY_STEPS {
+                    *active = false;
+                    self.leave(alone, lane, &mut intervals, None, take);
+                }
+            }
+            let Self { method: Method::Adaptive(steps, _), rates, .. } = self else { return };
             stalled.fill(false);
             self.attempts += 1;
-            steps.attempt(self.width, rates, &lanes.running, &mut stalled);
+            steps.attempt(self.width, rates, &active, &mut stalled);
             for (lane, &stalled) in stalled.iter().enumerate() {
-                let crowded = self.lanes.steps[lane] >= MANY_STEPS;
-                if self.lanes.running[lane] && (stalled || crowded) {
+                if self.lanes.running[lane] && stalled {
                     self.leave(alone, lane, &mut intervals, None, take);
                 }
             }

@@ -9,8 +9,7 @@ use ensemble::Features;
 fn lanes_over_guarded_corners_have_the_bits_of_single_runs() {
     let mut compared = 0;
     let all = vessels().into_iter().map(|(_, guarded)| guarded).chain(others());
-    // Where an inflow passes through 0 at the corner, a lane can differ from the ninth digit on.
-    let all = all.chain(tanks().into_iter().filter(|tanks| tanks.text.contains("a' = 0 - flow")));
+    let all = all.chain(tanks().into_iter().step_by(3));
     for Guarded { text, corner } in all {
         let model = document::open(&format!("```model\n{text}\n```\n"), &[]).document.expect(&text).program.model;
         let setup = Setup { method: Method::DormandPrince, ..Setup::defaults(&model) };

@@ -20,8 +20,9 @@ impl Stepper {
     const SHIFT: f64 = 1e-8;
     /// Maximum number of roundings by which a state is moved.
     const ROUNDINGS: usize = 4;
-    /// Number of steps of an adaptive method in a row of the grid from which on a standstill is expected.
-    const MANY_STEPS: usize = 1000;
+    /// Number of steps of an adaptive method in a row of the grid from which on a standstill is expected. Steps made outside of the stepper
+    /// end there: the stepper goes on.
+    pub const MANY_STEPS: usize = 1000;
     /// Number of short steps after which a standstill is expected.
     const OFTEN: usize = 64;
     /// Size of a step, as a fraction of that of the grid, with which a row takes too many steps.

@@ -400,7 +400,10 @@ impl Play {
         let restored = Reader::new(basis, line, plots, answers, most_changes).restore(&fields, work);
         let restored = self.noted(restored);
         self.announcements.clear();
-        self.announcements.push(Announcement::Restored);
+        // A link to a seat alone brings no state back.
+        if fields.iter().any(|field| !field.starts_with("seat=")) {
+            self.announcements.push(Announcement::Restored);
+        }
         restored
     }
 

@@ -56,6 +56,7 @@ fn a_link_has_the_seat_and_answers_follow() {
         let mut seated = tube();
         seated.restore(fragment).unwrap();
         assert_eq!(seated.share(), "1&seat=7", "{fragment}");
+        assert_eq!(seated.take_announcement(), None, "{fragment}: no state is back");
     }
     play.restore("1&seat=7").unwrap();
     let own = value(&play, "zeta_q");
@@ -66,6 +67,7 @@ fn a_link_has_the_seat_and_answers_follow() {
     assert!(link.starts_with("1&seat=7&p=b:0.05"), "{link}");
     let mut other = tube();
     other.restore(&link).unwrap();
+    assert_eq!(other.take_announcement(), Some(Announcement::Restored));
     assert_eq!((other.values().csv(), value(&other, "zeta_q")), (play.values().csv(), own));
     assert_eq!(right(&other), format!("{} 1/s", play::number::plain(own, 4, other.basis().style())));
     assert_eq!(right(&tube()), "0.3137 1/s");

@@ -145,9 +145,9 @@ visit("what an exported page hands in follows from its data to the bit, and a ch
   assert.ok(found.hand_ins[0].equal >= 15, JSON.stringify(found.hand_ins[0]));
   const handed = JSON.parse(text);
   assert.deepEqual(handed.sender, { name: "blue heron 17", seat: 7, assignment: "course-test" });
-  handed.facts.find((fact) => fact.quantity === "x").number += 1e-12;
-  handed.facts.find((fact) => fact.quantity === "grade of attempt 1").text = "correct";
+  handed.facts.find((fact) => fact.quantity === "value:x").number += 1e-12;
+  handed.facts.find((fact) => fact.quantity === "grade:1").text = "correct";
   const changed = verified(JSON.stringify(handed));
   assert.equal(changed.code, 1);
-  assert.deepEqual(changed.found.hand_ins[0].differences.map((one) => one.quantity), ["x", "grade of attempt 1"]);
+  assert.deepEqual(changed.found.hand_ins[0].differences.map((one) => one.quantity), ["value:x", "grade:1"]);
 });

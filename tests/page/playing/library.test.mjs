@@ -131,7 +131,12 @@ visit("a card is a link, to another tab too", async (lab) => {
   await openLibrary(lab);
   const link = library(lab).getByRole("link", { name: "The Lorenz equations", exact: true });
   assert.match(await link.getAttribute("href"), /#1&d=lorenz\.md$/);
-  const [tab] = await Promise.all([lab.context.waitForEvent("page"), link.click({ button: "middle" })]);
+  // The page leaves the middle button to the browser. The tab is opened by its address: Chromium 148 without a window ends tabs that a
+  // middle click opens.
+  const isLeft = await link.evaluate((one) => one.dispatchEvent(new MouseEvent("auxclick", { button: 1, bubbles: true, cancelable: true })));
+  assert.ok(isLeft);
+  const tab = await lab.context.newPage();
+  await tab.goto(await link.evaluate((one) => one.href));
   await eventually(async () => assert.equal(await tab.getByRole("heading", { level: 1 }).innerText(), "The Lorenz equations"));
   assert.match(await heading(lab), /U-tube/);
   assert.equal(await library(lab).isVisible(), true);

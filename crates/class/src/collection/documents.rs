@@ -84,7 +84,8 @@ impl Collection {
     }
 }
 
-/// The same document among others, or the one that is most alike, if it is a form of the same.
+/// Document among others that is equal to this one; otherwise the one that has the most lines in common with it, if these
+/// are a share of at least [`ALIKE`].
 fn nearest<'a>(files: &[Source], others: impl Iterator<Item = &'a [Source]>) -> Option<&'a [Source]> {
     let mut best: Option<(f64, &[Source])> = None;
     for other in others {

@@ -82,7 +82,7 @@ fn seated() -> Desk {
     desk
 }
 
-/// What a forger changes, and where that is named.
+/// Changes that a forger makes; each is named by its place.
 #[test]
 fn forged_grades_values_looks_and_seats_are_named() {
     let mut desk = seated();

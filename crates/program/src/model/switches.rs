@@ -125,7 +125,8 @@ impl Model {
             return Vec::new();
         }
         let moving = self.moving(&nodes);
-        let mut judged = graph.clone();
+        // A copy of the graph, made for the first sharp switch.
+        let mut judged = None;
         let switch = |node: NodeId| {
             let motion = moving[&node];
             if motion == Motion::AtRest {
@@ -136,7 +137,7 @@ impl Model {
             }
             let order = smoothness(graph, &nodes, &rates, node)?;
             let is_sharp = order == 0;
-            let jumps = is_sharp && (self.sensitive.is_some() || !is_continuous(&mut judged, &rates, node));
+            let jumps = is_sharp && (self.sensitive.is_some() || !is_continuous(judged.get_or_insert_with(|| graph.clone()), &rates, node));
             (order < 2).then_some(Switch { node, jumps, is_sharp })
         };
         candidates.iter().copied().filter_map(switch).collect()

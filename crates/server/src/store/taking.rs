@@ -1,6 +1,6 @@
 //! Statements that take rows from a backup into a store. Both databases understand them.
 
-/// Columns of an event in a backup; the order of arrival is given anew.
+/// Columns of an event in a backup; the store numbers their arrival again.
 const EVENT: &str = "class, seat, seq, at, kind, body";
 
 /// Statement that takes the numbers of erased seats from the tables of one schema to those of another one.

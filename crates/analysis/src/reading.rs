@@ -3,7 +3,7 @@
 
 use crate::data_sets::DataSets;
 use crate::finding::Finding;
-use crate::import::{self, Import, ImportError, Importer};
+use crate::import::{self, DateOrder, Import, ImportError, Importer, Refusal};
 use crate::packed::{self, Archive};
 use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
 use crate::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
@@ -20,6 +20,8 @@ pub struct Reading {
     passed: Option<(String, ImportError)>,
     /// Sheets read so far, if each is a data set.
     sets: DataSets,
+    /// Order of day and month that a person stated.
+    dates: Option<DateOrder>,
 }
 
 #[derive(Debug)]
@@ -103,6 +105,12 @@ impl ReadingError {
         }
     }
 
+    /// True if nothing in the file tells day and month of its dates apart: a person can state their order.
+    pub fn is_of_dates(&self) -> bool {
+        let (Self::Text(error) | Self::File { error, .. } | Self::Sheet { error, .. }) = self else { return false };
+        matches!(error.reason, Refusal::Dates { .. })
+    }
+
     /// Advice for users.
     pub fn hint(&self, language: Language) -> &'static str {
         match self {
@@ -134,13 +142,24 @@ impl Reading {
         } else {
             Stage::Bytes(bytes, Source::File)
         };
-        Ok(Self { stage, most, passed: None, sets: DataSets::default() })
+        Ok(Self { stage, most, passed: None, sets: DataSets::default(), dates: None })
     }
 
     /// Begins to read the project in a partly read archive; `most` as in [`Reading::new`]. `None` without a project.
     pub fn of_gathered(gathering: Gathering, most: usize) -> Option<Self> {
         let project = Opening::of_archive(gathering.finish()?).ok()?;
-        Some(Self { stage: Stage::Project(Box::new(project)), most, passed: None, sets: DataSets::default() })
+        Some(Self {
+            stage: Stage::Project(Box::new(project)),
+            most,
+            passed: None,
+            sets: DataSets::default(),
+            dates: None,
+        })
+    }
+
+    /// The same reading, with the order of day and month that a person stated.
+    pub fn with_dates(self, dates: Option<DateOrder>) -> Self {
+        Self { dates, ..self }
     }
 
     /// Reads about `budget` more bytes. Returns true at the end.
@@ -154,13 +173,17 @@ impl Reading {
                 Err(error) => self.next_sheet(error, source)?,
             },
             Stage::Text(text, source) => {
-                let text = Cow::Owned(text);
                 let is_text = match &source {
                     Source::File => true,
                     Source::Sheet(sheet) => sheet.workbook.holds_texts(),
                     Source::Project(..) => false,
                 };
-                match if is_text { Importer::new(text) } else { Importer::of_sheet(text) } {
+                let text = match self.dates {
+                    Some(order) => import::state_dates(&text, order),
+                    None => Ok(text),
+                };
+                let begin = if is_text { Importer::new } else { Importer::of_sheet };
+                match text.and_then(|text| begin(Cow::Owned(text))) {
                     Ok(importer) => Stage::Rows(Box::new(importer), source),
                     Err(error) => self.next_sheet(error, source)?,
                 }

@@ -11,7 +11,7 @@ use crate::verifying::verdict::Verified;
 use crate::words::{Words, words_in};
 use crate::workers::{FitWorkers, SweepPool};
 use crate::write::{Editor, Panel};
-use desk::{Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
+use desk::{DateOrder, Desk, FitProgress, Insight, RecordProgress, Refusal, Writing};
 use document::page::Source;
 use model::Diagnostic;
 use play::{Embedding, PagePart};
@@ -68,8 +68,8 @@ pub struct Lab {
     pub workers: FitWorkers,
     /// Computes plots over a parameter beside the page.
     pub sweeps: SweepPool,
-    /// Queue of files to be read as records.
-    pub files: VecDeque<File>,
+    /// Queue of files to be read as records, with the order of day and month in their dates where it was chosen.
+    pub files: VecDeque<(File, Option<DateOrder>)>,
     /// True while a file of the queue is being read.
     pub reading: bool,
     /// Player of the open film.
@@ -124,6 +124,8 @@ pub struct Laboratory {
     pub record_progress: Signal<Option<RecordProgress>>,
     /// Reason why the last record could not be read.
     pub record_refusal: Signal<Option<String>>,
+    /// Files whose dates can have the day or the month first.
+    pub undated: Signal<Vec<File>>,
     /// True until the guided start has been begun or declined on the first visit.
     pub is_first_visit: Signal<bool>,
     /// Action that the guided start asks for, `None` while there is none.
@@ -222,6 +224,7 @@ impl App {
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),
+            undated: create_signal(Vec::new()),
             is_first_visit: create_signal(welcome::is_first_visit()),
             guide: create_signal(None),
             library_asked_for: create_signal(false),

@@ -32,6 +32,9 @@ table_of_words! {
     synthetic: "synthetic";
     reading_record: "Reading";
     cancel_reading: "Cancel reading";
+    dates_asked: "has dates such as 02/03/2024. Which comes first?";
+    day_first: "the day";
+    month_first: "the month";
     not_lasting: "too long to be kept for the next visit";
     show_record: "Show it in the plots";
     remove_record: "Remove the record";

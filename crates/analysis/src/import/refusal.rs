@@ -1,6 +1,7 @@
 //! Errors of the import of a file as a table.
 
 use super::program::Program;
+use super::stated::DateOrder;
 use crate::finding::readings;
 use std::fmt;
 use units::{Language, Words, say};
@@ -61,6 +62,13 @@ pub enum Refusal {
     Dates {
         /// Name of the column.
         column: String,
+    },
+    /// A date has another order than the stated one.
+    OtherOrder {
+        /// The date.
+        date: String,
+        /// The stated order.
+        order: DateOrder,
     },
     /// More than a tenth of the cells of a column hold digits and cannot be read.
     Unread {
@@ -143,6 +151,12 @@ impl ImportError {
                 language,
                 "the dates in column {column} can have the day first or the month first, and nothing in the file decides"
             ),
+            Refusal::OtherOrder { date, order: DateOrder::DayFirst } => {
+                say!(language, "`{date}` has the month first, and the stated order is the day first")
+            }
+            Refusal::OtherOrder { date, order: DateOrder::MonthFirst } => {
+                say!(language, "`{date}` has the day first, and the stated order is the month first")
+            }
             Refusal::Unread { column, text, count, cells } => say!(
                 language,
                 "{count} of {cells} cells of column {column} cannot be read as numbers; the first is `{text}`"
@@ -175,6 +189,7 @@ impl ImportError {
             Refusal::Commas { .. } => language.say("export it again with tabs or semicolons between the columns"),
             Refusal::Separator { .. } => language.say("export it again without signs between the thousands"),
             Refusal::Dates { .. } => language.say("state the order with --dates day-first or --dates month-first, or write the dates as 2026-01-02"),
+            Refusal::OtherOrder { .. } => language.say("state the other order, or write this date as 2026-01-02"),
             Refusal::Unread { .. } | Refusal::UnreadLines { .. } => language.say("write plain numbers into these cells, or leave them empty"),
             Refusal::Times { .. } => language.say("write the times as numbers, or as 10:00:00.050 or 2026-01-02T10:00:00.050"),
             Refusal::Empty | Refusal::Kind { .. } | Refusal::Binary | Refusal::Markup => language.say("export the table as text: in Tracker, File > Export > Data File; in a spreadsheet, save as CSV"),

@@ -1,7 +1,7 @@
 //! Statements of a person about a file: units of columns, and the order of day and month in dates.
 
-use super::decode;
 use super::head::{self, Meant};
+use super::refusal::{ImportError, Refusal};
 use super::times::date;
 use crate::conversion::Conversion;
 use units::Unit;
@@ -50,13 +50,14 @@ impl DateOrder {
     }
 }
 
-/// Bytes of a text with its dates of three numbers, `02/03/2024`, written as `2024-03-02`. Bytes that are no text, and a text
-/// in which one of these dates has the other order, are returned unchanged.
-pub fn state_dates(bytes: Vec<u8>, order: DateOrder) -> Vec<u8> {
-    let Ok(text) = decode::decode(&bytes) else { return bytes };
+/// Text with its dates of three numbers, `02/03/2024`, written as `2024-03-02`.
+///
+/// # Errors
+/// A date has the other order.
+pub fn state_dates(text: &str, order: DateOrder) -> Result<String, ImportError> {
     let is_part = |letter: char| letter.is_ascii_digit() || matches!(letter, '/' | '-' | '.');
     let mut written = String::with_capacity(text.len());
-    let mut rest = &*text;
+    let mut rest = text;
     let mut before = ' ';
     while let Some(start) = rest.find(|letter: char| letter.is_ascii_digit()) {
         let (other, from) = rest.split_at(start);
@@ -65,12 +66,15 @@ pub fn state_dates(bytes: Vec<u8>, order: DateOrder) -> Vec<u8> {
         written.push_str(other);
         match date::in_order(part, order == DateOrder::MonthFirst).filter(|_| alone) {
             Some(Ok(date)) => written.push_str(&date),
-            Some(Err(())) => return bytes,
+            Some(Err(())) => {
+                let line = 1 + written.matches('\n').count();
+                return Err(ImportError::new(Some(line), Refusal::OtherOrder { date: part.to_owned(), order }));
+            }
             None => written.push_str(part),
         }
         before = part.chars().next_back().unwrap_or(' ');
         rest = after;
     }
     written.push_str(rest);
-    written.into_bytes()
+    Ok(written)
 }

@@ -3,7 +3,8 @@
 use crate::support::packed::{Pack, ods, xlsx, xlsx_with};
 use crate::support::{all_sheets, in_slices};
 use analysis::finding::Finding;
-use analysis::reading::{self, ReadingError};
+use analysis::import::DateOrder;
+use analysis::reading::{self, Reading, ReadingError};
 use analysis::workbook::{Progress, SheetText, Workbook, WorkbookError};
 use proptest::prelude::*;
 use units::Language;
@@ -109,6 +110,29 @@ fn cells_of_open_document_are_read_as_they_are_shown() {
 /// A few rows of a table.
 const TABLE: &str = r#"<row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>1</v></c></row><row r="3"><c r="A3"><v>0.1</v></c><c r="B3"><v>2</v></c></row>"#;
 const WORDS: &str = r#"<row r="1"><c r="A1" t="inlineStr"><is><t>Filmed in May</t></is></c></row>"#;
+
+#[test]
+fn dates_typed_as_texts_follow_the_stated_order() {
+    let row = |number: usize, date: &str, value: usize| {
+        format!(
+            r#"<row r="{number}"><c r="A{number}" t="inlineStr"><is><t>{date}</t></is></c><c r="B{number}"><v>{value}</v></c></row>"#
+        )
+    };
+    let rows: String = [("02/03/2024", 1), ("03/03/2024", 2), ("05/03/2024", 4)]
+        .iter()
+        .enumerate()
+        .map(|(place, (date, value))| row(place + 1, date, *value))
+        .collect();
+    let read = |order| Reading::new(xlsx(&[("Film", &rows)]), MOST).expect("a workbook").with_dates(order).complete();
+    let error = read(None).expect_err("the order is open");
+    assert!(error.is_of_dates(), "{error:?}");
+    for (order, second, third) in [(DateOrder::DayFirst, 1.0, 3.0), (DateOrder::MonthFirst, 29.0, 90.0)] {
+        let contents = read(Some(order)).expect("a table");
+        let days: Vec<f64> = contents.import.table.columns[0].values.iter().map(|time| time / 86_400.0).collect();
+        assert_eq!(days, [0.0, second, third], "{order:?}");
+        assert_eq!(analysis::import::text(contents.text.as_bytes()).expect("a table").table, contents.import.table);
+    }
+}
 
 #[test]
 fn the_first_sheet_with_a_table_is_read_and_named() {

@@ -5,11 +5,11 @@ use crate::records::record::{LONGEST_SAVED, LONGEST_TEXT, Record};
 use crate::records::{Records, ShownRecords, runs};
 use crate::{Announcement, Changes, LONGEST_RECORD, MOST_RECORDS, OpenDocument, Refusal};
 use analysis::finding::Finding;
+use analysis::import::DateOrder;
 use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use analysis::tracker::{Gathering, Project};
 use std::collections::{BTreeMap, BTreeSet};
-use units::Language;
 use units::sentence;
 
 /// Progress of the import of a file.
@@ -41,6 +41,12 @@ impl ShownRecords<'_> {
         Some(RecordProgress { name: name.clone(), part })
     }
 
+    /// True if the last file was refused because day and month of its dates cannot be told apart: a person can state their
+    /// order.
+    pub fn asks_dates(self) -> bool {
+        self.records.asks_dates
+    }
+
     /// True if the file has been read and inspected, and the next call of [`crate::Desk::advance_record`] adds its record.
     pub fn is_read(self) -> bool {
         self.records.intake.as_ref().is_some_and(|intake| matches!(intake.stage, Stage::Known(..)))
@@ -49,20 +55,27 @@ impl ShownRecords<'_> {
 
 impl Records {
     /// Starts to read a file, text or workbook, as a record. [`crate::Desk::advance_record`] continues. Cancels the file that
-    /// is being read.
+    /// is being read. `dates`: order of day and month in dates, where a person stated it.
     ///
     /// # Errors
     /// The file is too large, the workbook cannot be read, or the maximum number of records is reached.
-    pub fn begin(&mut self, open: OpenDocument<'_>, name: &str, bytes: Vec<u8>) -> Result<Changes, Refusal> {
-        self.intake = None;
+    pub fn begin(
+        &mut self,
+        open: OpenDocument<'_>,
+        name: &str,
+        bytes: Vec<u8>,
+        dates: Option<DateOrder>,
+    ) -> Result<Changes, Refusal> {
+        (self.intake, self.asks_dates) = (None, false);
         if self.list.len() >= MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
         if bytes.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        let reading = Reading::new(bytes, LONGEST_TEXT).map_err(|error| unreadable(name, &error, open.language()))?;
-        self.intake = Some(Intake { name: name.to_owned(), stage: Stage::Reading(Box::new(reading)) });
+        let reading = Reading::new(bytes, LONGEST_TEXT).map_err(|error| self.unreadable(open, name, &error))?;
+        let stage = Stage::Reading(Box::new(reading.with_dates(dates)));
+        self.intake = Some(Intake { name: name.to_owned(), stage });
         Ok(Changes::NONE)
     }
 
@@ -94,7 +107,7 @@ impl Records {
         let Some(Intake { name, stage }) = self.intake.take() else { return Ok((None, Changes::NONE)) };
         let stage = match stage {
             Stage::Reading(mut reading) => {
-                let finished = reading.advance(budget).map_err(|error| unreadable(&name, &error, open.language()))?;
+                let finished = reading.advance(budget).map_err(|error| self.unreadable(open, &name, &error))?;
                 if !finished {
                     Stage::Reading(reading)
                 } else if let Some(contents) = reading.finish() {
@@ -149,14 +162,15 @@ impl Records {
         Ok(self.take(open, name, contents, inspection, truth))
     }
 
-    fn read(&self, open: OpenDocument<'_>, name: &str, bytes: &[u8]) -> Result<Contents, Refusal> {
+    fn read(&mut self, open: OpenDocument<'_>, name: &str, bytes: &[u8]) -> Result<Contents, Refusal> {
+        self.asks_dates = false;
         if self.list.len() >= MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
         if bytes.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| unreadable(name, &error, open.language()))
+        reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| self.unreadable(open, name, &error))
     }
 
     /// Adds the contents of a file as one record, or as one record per run of a logger or data set.
@@ -243,11 +257,18 @@ impl Records {
         self.intake = None;
         Changes::NONE.announcing(Announcement::RecordCancelled(name.to_owned()))
     }
-}
 
-fn unreadable(name: &str, error: &ReadingError, language: Language) -> Refusal {
-    Refusal::UnreadableRecord {
-        name: name.to_owned(),
-        why: format!("{} {}", sentence(&error.message(language)), sentence(error.hint(language))),
+    fn unreadable(&mut self, open: OpenDocument<'_>, name: &str, error: &ReadingError) -> Refusal {
+        let language = open.language();
+        self.asks_dates = error.is_of_dates();
+        let hint = if self.asks_dates {
+            language.say("choose the order of day and month, or write the dates as 2026-01-02")
+        } else {
+            error.hint(language)
+        };
+        Refusal::UnreadableRecord {
+            name: name.to_owned(),
+            why: format!("{} {}", sentence(&error.message(language)), sentence(hint)),
+        }
     }
 }

@@ -3,14 +3,25 @@
 use crate::support::followed;
 use crate::support::utube;
 use analysis::spreadsheet::{Sheet, Workbook};
-use desk::{Announcement, Desk, LONGEST_RECORD, Refusal};
+use desk::{Announcement, DateOrder, Desk, LONGEST_RECORD, Refusal};
 use play::PlotId;
 
 const TABLE: &str = "t [s]\ty [m]\n0\t0.4\n0.5\t0.33\n1\t0.2\n1.5\tword\n2\t-0.1\n";
 
 /// Reads a file to its end. Returns the id of the record and the last progress before the end.
 fn read(desk: &mut Desk, name: &str, bytes: &[u8], budget: usize) -> Result<(u32, f64), Refusal> {
-    desk.change_records(|records, open| records.begin(open, name, bytes.to_vec()))?;
+    read_dated(desk, name, bytes, budget, None)
+}
+
+/// As [`read`], with the order of day and month that a person states.
+fn read_dated(
+    desk: &mut Desk,
+    name: &str,
+    bytes: &[u8],
+    budget: usize,
+    dates: Option<DateOrder>,
+) -> Result<(u32, f64), Refusal> {
+    desk.change_records(|records, open| records.begin(open, name, bytes.to_vec(), dates))?;
     let mut part = 0.0;
     loop {
         if let Some(progress) = desk.records().progress() {
@@ -49,7 +60,7 @@ fn a_record_is_the_same_in_slices_as_at_once() {
 #[test]
 fn a_file_that_is_given_up_leaves_nothing() {
     let mut desk = utube();
-    desk.change_records(|records, open| records.begin(open, "film", TABLE.as_bytes().to_vec())).unwrap();
+    desk.change_records(|records, open| records.begin(open, "film", TABLE.as_bytes().to_vec(), None)).unwrap();
     desk.advance_record(1).unwrap();
     desk.change_records(|records, _| records.cancel("film"));
     assert_eq!((desk.records().progress(), desk.records().list().len()), (None, 0));
@@ -61,9 +72,32 @@ fn a_file_that_is_given_up_leaves_nothing() {
     assert_eq!(desk.records().progress(), None);
     read(&mut desk, "film", TABLE.as_bytes(), 1 << 20).unwrap();
     // Neither does a file that is too large.
-    let refusal =
-        desk.change_records(|records, open| records.begin(open, "huge", vec![b'1'; LONGEST_RECORD + 1])).unwrap_err();
+    let refusal = desk
+        .change_records(|records, open| records.begin(open, "huge", vec![b'1'; LONGEST_RECORD + 1], None))
+        .unwrap_err();
     assert_eq!(refusal, Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
+}
+
+#[test]
+fn a_file_whose_dates_are_open_is_read_when_their_order_is_chosen() {
+    const DATED: &str = "date;y (m)\n02/03/2024;0.4\n03/03/2024;0.3\n05/03/2024;0.1\n";
+    let mut desk = utube();
+    let refusal = read(&mut desk, "dated", DATED.as_bytes(), 9).unwrap_err();
+    assert!(desk.records().asks_dates());
+    let Refusal::UnreadableRecord { why, .. } = refusal else { panic!("{refusal:?}") };
+    assert!(why.ends_with("Choose the order of day and month, or write the dates as 2026-01-02."), "{why}");
+    let (id, _) = read_dated(&mut desk, "dated", DATED.as_bytes(), 9, Some(DateOrder::MonthFirst)).unwrap();
+    assert!(!desk.records().asks_dates());
+    let span = |desk: &Desk| desk.records().list().last().map(|record| format!("{:?}", record.columns[0]));
+    // Stored and brought back, the record has the chosen order.
+    let mut later = utube();
+    crate::support::bring_back_records(&mut later, &desk.records().saved());
+    assert_eq!(span(&later), span(&desk));
+    // Another file, and one that is pasted, raise the question again or end it.
+    desk.add_record("pasted", DATED.as_bytes()).unwrap_err();
+    assert!(desk.records().asks_dates());
+    assert_ne!(read(&mut desk, "film", TABLE.as_bytes(), 1 << 20).unwrap().0, id);
+    assert!(!desk.records().asks_dates());
 }
 
 #[test]

@@ -11,7 +11,7 @@ const RECORD: &[u8] = b"t [s],y [m]\n0,0.5\n0.5,0.2\n1,-0.3\n1.5,-0.45\n2,-0.1\n
 #[test]
 fn records_and_answers_come_back_and_are_not_taken_twice() {
     let mut desk = utube();
-    desk.change_records(|records, open| records.begin(open, "film.csv", RECORD.to_vec())).unwrap();
+    desk.change_records(|records, open| records.begin(open, "film.csv", RECORD.to_vec(), None)).unwrap();
     while desk.records().progress().is_some() {
         desk.advance_record(1 << 20).unwrap();
     }
@@ -49,7 +49,7 @@ fn a_project_with_thousands_of_items_is_taken_in_part() {
     assert!((4900..=5000).contains(&refused), "{refused}");
     // A repeated record is restored once, also among many others.
     let mut owner = utube();
-    owner.change_records(|records, open| records.begin(open, "film.csv", RECORD.to_vec())).unwrap();
+    owner.change_records(|records, open| records.begin(open, "film.csv", RECORD.to_vec(), None)).unwrap();
     while owner.records().progress().is_some() {
         owner.advance_record(1 << 20).unwrap();
     }

@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::film;
-use desk::{Gathering, LONGEST_RECORD, RecordProgress, Refusal};
+use desk::{DateOrder, Gathering, LONGEST_RECORD, RecordProgress, Refusal};
 use view::page::message::Message;
 use view::panel::tabs;
 use view::views::*;
@@ -45,8 +45,53 @@ fn bar(app: App, name: &str) -> View {
         .into()
 }
 
+/// Question for the order of day and month of each file that has open dates.
+pub fn dates_view(app: App) -> View {
+    changing(move || {
+        View::from(app.undated.get_clone().into_iter().map(|file| question(app, file)).collect::<Vec<_>>())
+    })
+}
+
+fn question(app: App, file: File) -> View {
+    let words = app.words();
+    let title = format!("{} {}", file.name(), words.dates_asked);
+    let choice = |order: DateOrder| {
+        let file = file.clone();
+        let choose = move |_| {
+            let others = app.undated.with(|all| all.iter().filter(|other| **other != file).cloned().collect());
+            app.undated.set(others);
+            queue(app, [(file.clone(), Some(order))]);
+            browser::focus("choose-record");
+        };
+        let name = match order {
+            DateOrder::DayFirst => words.day_first,
+            DateOrder::MonthFirst => words.month_first,
+        };
+        button().class("chip").attr("data-dates", order.code()).when(events::click, choose).child(name)
+    };
+    div()
+        .class("intake dates")
+        .role("group")
+        .attr("aria-label", title.clone())
+        .child(span().attr("aria-hidden", "true").child(title))
+        .each(DateOrder::ALL, choice)
+        .into()
+}
+
+/// Asks for the order of day and month in a file that was refused.
+pub fn ask_dates(app: App, file: File) {
+    if app.read_desk(|desk| desk.records().asks_dates()) {
+        app.undated.update(|files| files.push(file));
+    }
+}
+
 /// Appends files to the queue of files to be read as records.
 pub fn read(app: App, files: Vec<File>) {
+    app.undated.set(Vec::new());
+    queue(app, files.into_iter().map(|file| (file, None)));
+}
+
+fn queue(app: App, files: impl IntoIterator<Item = (File, Option<DateOrder>)>) {
     let begins = app.with(|lab| {
         lab.files.extend(files);
         !lab.files.is_empty() && !std::mem::replace(&mut lab.reading, true)
@@ -55,10 +100,13 @@ pub fn read(app: App, files: Vec<File>) {
         wasm_bindgen_futures::spawn_local(async move {
             let earlier = messages::errors(app.page);
             let mut all_read = true;
-            while let Some(file) = app.with(|lab| lab.files.pop_front()).flatten() {
-                let refusal = read_file(app, &file, all_read.then_some(&*earlier)).await;
+            while let Some((file, dates)) = app.with(|lab| lab.files.pop_front()).flatten() {
+                let refusal = read_file(app, &file, dates, all_read.then_some(&*earlier)).await;
                 app.record_progress.set(None);
                 all_read &= refusal.is_none();
+                if refusal.is_some() {
+                    ask_dates(app, file);
+                }
                 refuse(app, refusal);
                 app.tab.set(tabs::MEASURE);
             }
@@ -70,7 +118,7 @@ pub fn read(app: App, files: Vec<File>) {
 /// Reads one file. Returns the reason if it could not be read. `earlier`: errors that were shown when the
 /// queue began, which are removed when the file has been read; `None` if a file before it in the queue was refused. An error
 /// raised meanwhile stays.
-async fn read_file(app: App, file: &File, earlier: Option<&[Message]>) -> Option<String> {
+async fn read_file(app: App, file: &File, dates: Option<DateOrder>, earlier: Option<&[Message]>) -> Option<String> {
     let name = file.name();
     refuse(app, None);
     app.record_progress.set(Some(RecordProgress { name: name.clone(), part: 0.0 }));
@@ -103,7 +151,7 @@ async fn read_file(app: App, file: &File, earlier: Option<&[Message]>) -> Option
                 return None;
             }
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
-            app.attempt_on_desk(|desk| desk.change_records(|records, open| records.begin(open, &name, bytes)))
+            app.attempt_on_desk(|desk| desk.change_records(|records, open| records.begin(open, &name, bytes, dates)))
         }
     };
     while refusal.is_none() && app.read_desk(|desk| desk.records().progress().is_some()) {

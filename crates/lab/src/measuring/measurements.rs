@@ -7,7 +7,7 @@ use desk::SAMPLES;
 use view::panel::tabs;
 use view::views::*;
 use view::{browser, pieces::icons};
-use web_sys::{HtmlInputElement, HtmlTextAreaElement};
+use web_sys::{File, HtmlInputElement, HtmlTextAreaElement};
 
 /// Content of the tab.
 pub fn view(app: App) -> HtmlDiv {
@@ -25,6 +25,7 @@ pub fn view(app: App) -> HtmlDiv {
                 .id("record-refusal")
                 .child(text(move || app.record_refusal.get_clone().unwrap_or_default())),
         )
+        .child(intake::dates_view(app))
         .child(virtual_form::view(app))
         .child(records::view(app))
         .child(cycles::view(app))
@@ -97,6 +98,12 @@ pub fn sample(app: App, number: usize) {
 fn add(app: App, name: &str, bytes: &[u8]) -> bool {
     let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
     let added = refusal.is_none();
+    app.undated.set(Vec::new());
+    if !added
+        && let Ok(file) = File::new_with_u8_slice_sequence(&js_sys::Array::of1(&js_sys::Uint8Array::from(bytes)), name)
+    {
+        intake::ask_dates(app, file);
+    }
     refuse(app, refusal);
     app.tab.set(tabs::MEASURE);
     added

@@ -137,7 +137,9 @@ impl Model {
             }
             let order = smoothness(graph, &nodes, &rates, node)?;
             let is_sharp = order == 0;
-            let jumps = is_sharp && (self.sensitive.is_some() || !is_continuous(judged.get_or_insert_with(|| graph.clone()), &rates, node));
+            let jumps = is_sharp
+                && (self.sensitive.is_some()
+                    || !is_continuous(judged.get_or_insert_with(|| graph.clone()), &rates, node));
             (order < 2).then_some(Switch { node, jumps, is_sharp })
         };
         candidates.iter().copied().filter_map(switch).collect()

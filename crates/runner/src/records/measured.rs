@@ -8,7 +8,7 @@ use analysis::finding::Finding;
 use analysis::import::{self, Format};
 use analysis::inspection::{Derived, doubtful_times, inspect};
 use analysis::origin::UnitOrigin;
-use analysis::reading::{self, ReadingError};
+use analysis::reading::{Reading, ReadingError};
 use analysis::table::Table;
 use analysis::{tracker, workbook};
 use std::io::{self, Read};
@@ -44,13 +44,16 @@ pub struct Measured {
 /// # Errors
 /// Bytes that are no table, a statement about a column that does not exist, or an unknown unit.
 pub fn measured(name: String, bytes: Vec<u8>, stated: Stated) -> Result<Measured, Refusal> {
-    let bytes = match stated.dates {
-        Some(order) => import::state_dates(bytes, order),
-        None => bytes,
-    };
     let kept = (bytes.len() <= MOST_CARRIED).then(|| bytes.clone());
-    let contents = reading::read(bytes, MOST_BYTES as usize);
-    let import = contents.map_err(|error| refused(&name, error))?.import;
+    let contents = Reading::new(bytes, MOST_BYTES as usize)
+        .and_then(|reading| reading.with_dates(stated.dates).complete())
+        .map_err(|error| refused(&name, error))?;
+    let import = contents.import;
+    // Dates whose order was stated are carried as they were understood.
+    let kept = kept.and_then(|bytes| match stated.dates {
+        Some(_) => Some(contents.text.into_bytes()).filter(|text| !text.is_empty() && text.len() <= MOST_CARRIED),
+        None => Some(bytes),
+    });
     let mut table = import.table;
     state_units(&name, &mut table, stated.units)?;
     let mut findings = import.findings;

@@ -29,8 +29,8 @@ pub struct Sampling {
     /// Typical time between two rows: the slope of the times over the frames, or the mean step of uneven rows. 0 for fewer
     /// than three rows.
     pub interval: f64,
-    /// Frame of each row, counted from time 0 if the frames agree with that, else from the first row; `None` without a
-    /// time. Empty if the rows are not evenly spaced.
+    /// Frame of each row, counted from time 0 if the first row is not before it and the frames agree with that, else from
+    /// the first row; `None` without a time. Empty if the rows are not evenly spaced.
     pub frames: Vec<Option<i64>>,
     /// Missing frames.
     pub missing: Vec<Gap>,
@@ -195,17 +195,18 @@ impl Examination {
         sampling.interval = interval;
         // Frames count from time 0 if that is a whole number of frames before the first row.
         let first = self.start / interval;
-        let base = if (first - first.round()).abs() < 0.05 && first.abs() < 1e9 { first.round() } else { 0.0 };
+        let base =
+            if (first - first.round()).abs() < 0.05 && (0.0..1e9).contains(&first) { first.round() } else { 0.0 };
         sampling.frames = vec![None; length];
         for ((row, _), frame) in self.rows.iter().zip(&self.frames) {
             sampling.frames[*row] = Some((frame + base) as i64);
         }
         for ((pair, count), frame) in self.rows.windows(2).zip(&self.whole).zip(&self.frames) {
             if *count > 1.0 {
-                let (first, last) = (frame + base + 1.0, frame + base + count - 1.0);
+                let before = frame + base;
                 sampling.missing.push(Gap {
-                    first: first.max(0.0) as u64,
-                    last: last.max(0.0) as u64,
+                    first: (before + 1.0) as u64,
+                    last: (before + count - 1.0) as u64,
                     after: pair[0].1,
                     before: pair[1].1,
                 });

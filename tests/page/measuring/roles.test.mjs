@@ -50,3 +50,28 @@ visit("axe finds nothing where a file is asked about: phone, dark, Spanish", { .
   assert.deepEqual(found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html.slice(0, 160))}`), []);
   assert.equal(await lab.page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth), false, "no sideways scrolling");
 });
+
+/** Dates that may have the day or the month first. */
+const DATED = "date;y (cm)\n02/03/2024 10:00:00;4\n03/03/2024 10:00:00;3\n05/03/2024 10:00:00;1\n08/03/2024 10:00:00;2\n";
+
+visit("the order of open dates is asked for each file, dropped or pasted", async (lab) => {
+  await openTheory(lab, "Linear damping");
+  await drop(lab, { name: "dated.csv", text: DATED });
+  const asked = lab.page.getByRole("group", { name: /^dated\.csv has dates such as/ });
+  await asked.waitFor();
+  assert.equal(await records(lab).count(), 0, "nothing is read before");
+  assert.match(await sight(lab.page.locator("#record-refusal")), /day first or the month first.*Choose the order of day and month/s);
+  await asked.getByRole("button", { name: "the day" }).click();
+  await records(lab).waitFor();
+  assert.equal(await asked.count(), 0);
+  assert.equal(await lab.page.locator("#record-refusal").innerText(), "");
+  // From the first to the third row three days have passed, or three months.
+  const span = async (place) => (await records(lab).nth(place).locator("tbody tr").first().innerText()).replace(/\s+/g, " ");
+  assert.match(await span(0), /259200/);
+  await lab.page.getByText("Paste a table").click();
+  await lab.page.locator("#paste-record").fill(DATED);
+  await lab.press("Read");
+  await lab.page.getByRole("group", { name: /^pasted table has dates/ }).getByRole("button", { name: "the month" }).click();
+  await eventually(async () => assert.equal(await records(lab).count(), 2));
+  assert.doesNotMatch(await span(1), /259200/);
+});

@@ -104,6 +104,9 @@ fn frames_count_from_time_zero_where_they_can() {
     assert_eq!(found.missing, [Gap { first: 4, last: 5, after: 0.3, before: 0.6 }]);
     let found = examine(&[0.25, 0.35, 0.65, 0.75]);
     assert_eq!(found.missing, [Gap { first: 2, last: 3, after: 0.35, before: 0.65 }]);
+    // Frames of a record that begins before time 0 count from its first row.
+    let found = examine(&[-0.4, -0.3, -0.2, 0.1, 0.2]);
+    assert_eq!(found.missing, [Gap { first: 3, last: 4, after: -0.2, before: 0.1 }]);
 }
 
 /// A typing error in one time makes a gap of more frames than a number can count.

@@ -66,6 +66,19 @@ pub(super) const KNOWN: &[Description] = &[
         start: &["start"],
         ..PLAIN
     },
+    // DS1000Z, export without the count of the rows: `CH1,CH2,Start,Increment,` over `Volt,Volt,-6e-02,1e-04`.
+    Description {
+        name: "Rigol",
+        first: &["ch", "math", "d7"],
+        also: &["start,increment"],
+        settings: Settings::Columns,
+        names: Cells::Line(0),
+        units: Cells::Line(1),
+        clock: Clock::Perhaps,
+        step: &["increment"],
+        start: &["start"],
+        ..PLAIN
+    },
     // DS1000D and DS1000E: `Time,X(CH1)` over `Second,Volt`.
     Description {
         name: "Rigol",

@@ -76,22 +76,21 @@ fn repeated(cell: &str, count: usize, delimiter: &str) -> String {
     format!("{delimiter}{cell}").repeat(count)
 }
 
-fn rigol(of: Measurement, delimiter: &str) -> Variant {
+fn rigol(of: Measurement, delimiter: &str, counted: bool) -> Variant {
     let names: String = (0..of.channels).map(|place| format!("{delimiter}{}", channel(place))).collect();
     let word = if of.unit.0 == "A" { "Ampere" } else { "Volt" };
     let unit = if of.unit.0 == "mV" { "mV" } else { word };
-    let mut text = format!("X{names}{delimiter}Start{delimiter}Increment{delimiter}\n");
-    let _ = writeln!(
-        text,
-        "Sequence{}{delimiter}{:e}{delimiter}{:e}",
-        repeated(unit, of.channels, delimiter),
-        of.start,
-        of.step
+    let count =
+        |text: &str, line: String| if counted { format!("{text}{line}") } else { line[delimiter.len()..].to_owned() };
+    let mut text = count("X", format!("{names}{delimiter}Start{delimiter}Increment{delimiter}\n"));
+    text += &count(
+        "Sequence",
+        format!("{}{delimiter}{:e}{delimiter}{:e}\n", repeated(unit, of.channels, delimiter), of.start, of.step),
     );
     for row in 0..ROWS {
-        let _ = writeln!(text, "{row}{}{delimiter}", values(of, row, delimiter));
+        text += &count(&row.to_string(), format!("{}{delimiter}\n", values(of, row, delimiter)));
     }
-    Variant { name: format!("Rigol {delimiter:?}"), text, columns: of.columns("t", channel) }
+    Variant { name: format!("Rigol {delimiter:?}, rows counted: {counted}"), text, columns: of.columns("t", channel) }
 }
 
 fn rigol_new(of: Measurement) -> Variant {
@@ -352,7 +351,13 @@ fn matlab(of: Measurement, exponent: i32) -> Variant {
 pub fn variants() -> Vec<Variant> {
     let mut all = Vec::new();
     for of in MEASUREMENTS {
-        all.extend([rigol(of, ","), rigol(of, ";"), rigol_new(of)]);
+        all.extend([
+            rigol(of, ",", true),
+            rigol(of, ";", true),
+            rigol(of, ",", false),
+            rigol(of, "\t", false),
+            rigol_new(of),
+        ]);
         all.extend([tektronix(of, ",", true), tektronix(of, ",", false), tektronix(of, "\t", true), tektronix_new(of)]);
         for columns in ["No", "One", "Multi"] {
             all.extend([

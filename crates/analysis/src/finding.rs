@@ -33,6 +33,11 @@ pub enum Finding {
         /// Number of other tables.
         others: usize,
     },
+    /// The numbers of each line stand behind their names.
+    Labelled {
+        /// Number of lines with other names or none.
+        left_out: usize,
+    },
     /// This number of NUL bytes was left out.
     Nuls(usize),
     /// Overflows of the counter of a clock were undone.
@@ -251,6 +256,13 @@ impl Finding {
                 language,
                 "the table was read from {}: the one with the most cells; other tables left out: {others}",
                 markup.name()
+            ),
+            Self::Labelled { left_out: 0 } => {
+                language.say("the names before the numbers of each line became the heads of the columns").to_owned()
+            }
+            Self::Labelled { left_out } => say!(
+                language,
+                "the names before the numbers of each line became the heads of the columns; lines with other names or none, left out: {left_out}"
             ),
             Self::Nuls(count) => nuls(*count, language),
             Self::Overflow { column, bits, count } => overflow(column, *bits, *count, language),

@@ -1,7 +1,7 @@
 //! Decoding of bytes to text, with an error for files that are not text.
 
+use super::forms;
 use super::lines;
-use super::markup;
 use super::program::Program;
 use super::refusal::{ImportError, Refusal};
 use std::borrow::Cow;
@@ -45,7 +45,7 @@ pub fn look(start: &[u8]) -> Result<(), ImportError> {
     }
     let text = text.trim_start();
     let begins = |tag: &&str| text.get(..tag.len()).is_some_and(|first| first.eq_ignore_ascii_case(tag));
-    if markup::is_html(text) {
+    if forms::is_html(text) {
         return Ok(());
     }
     if ["<?xml", "<!doctype", "<html"].iter().any(begins) {

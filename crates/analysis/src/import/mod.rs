@@ -8,12 +8,10 @@ mod device;
 mod doubts;
 mod first;
 mod format;
+mod forms;
 mod head;
-mod influx;
-mod json;
 mod labels;
 mod lines;
-mod markup;
 mod mixed;
 mod notation;
 mod notes;
@@ -36,20 +34,20 @@ pub(crate) use decode::characters;
 pub use decode::look;
 pub use device::Remark as DeviceRemark;
 pub use format::Format;
-pub use markup::Markup;
+pub use forms::Markup;
 pub use program::Program;
 pub use refusal::{ImportError, Refusal};
 pub(crate) use stated::is_unit;
-pub use stated::{DateOrder, state_dates, stated_unit, unit};
+pub use stated::{state_dates, stated_unit, unit};
+pub use times::date::DateOrder;
 
 use crate::finding::Finding;
 use crate::table::Table;
 use crate::{roles, scale_line};
 use device::Device;
 use first::First;
+use forms::Form;
 use head::Head;
-use json::Json;
-use markup::MarkedTable;
 use notes::{FINDINGS, clock_finding, errors, runs_finding};
 use number::Signs;
 use rows::Rows;
@@ -131,23 +129,14 @@ impl<'a> Importer<'a> {
         if let Some(device) = device::recognise(&text) {
             return Ok(Self::of_device(text, device));
         }
-        match json::read(&text) {
-            Some(Json::Table(table)) => return Self::of_cells(text, table.cells, Finding::Json(table.left_out)),
-            Some(Json::NoTable) => return Err(ImportError::new(None, Refusal::Json)),
-            None => {}
+        match forms::read(&text) {
+            Some(form) => Self::of_form(text, form.map_err(|reason| ImportError::new(None, reason))?),
+            None => Self::of_rows(text),
         }
-        if let Some(table) = markup::read(&text) {
-            return Self::of_markup(text, table);
-        }
-        Self::of_text(text)
     }
 
-    /// Begins to read a text that is neither JSON nor markup, nor the file of a known instrument.
-    fn of_text(text: Cow<'a, str>) -> Result<Self, ImportError> {
-        if let Some(cells) = influx::read(&text) {
-            let remark = DeviceRemark::Recognised { name: "InfluxDB" };
-            return Self::of_cells(text, cells, Finding::Device(remark));
-        }
+    /// Begins to read a text of rows.
+    fn of_rows(text: Cow<'a, str>) -> Result<Self, ImportError> {
         if let Some(bare) = stamp::without(&text) {
             let stamped = Stamped::new(format::recognise(&bare).0);
             let format = Format { delimiter: stamped.delimiter, decimal: b'.', thousands: None, header_lines: 0 };
@@ -175,24 +164,16 @@ impl<'a> Importer<'a> {
             .or_else(|(_, cells)| Self::new(cells))
     }
 
-    /// Begins to read the cells that were made from a text, with tabs between them.
-    fn of_cells(text: Cow<'a, str>, cells: String, finding: Finding) -> Result<Self, ImportError> {
-        let begun = Self::begin(Cow::Owned(cells), Delimiter::Tab, Signs::plain(b'.'), Some(text));
-        let mut importer = begun.map_err(|(error, _)| ImportError { line: None, ..error })?;
-        importer.sheet = true;
-        importer.findings.push(finding);
-        Ok(importer)
-    }
-
-    /// Begins to read the table of a text in a markup language, by the rules of texts.
-    fn of_markup(text: Cow<'a, str>, table: MarkedTable) -> Result<Self, ImportError> {
-        let error = |reason| ImportError::new(None, reason);
-        if table.cells.is_empty() {
-            return Err(error(Refusal::Markup));
-        }
-        let mut importer = Self::of_text(Cow::Owned(table.cells)).map_err(|own| error(own.reason))?;
+    /// Begins to read the rows that were made from a text in another form.
+    fn of_form(text: Cow<'a, str>, form: Form) -> Result<Self, ImportError> {
+        let rows = Cow::Owned(form.rows);
+        let begun = match form.is_plain {
+            true => Self::begin(rows, Delimiter::Tab, Signs::plain(b'.'), None).map_err(|(error, _)| error),
+            false => Self::of_rows(rows),
+        };
+        let mut importer = begun.map_err(|error| ImportError { line: None, ..error })?;
         (importer.original, importer.sheet) = (Some(text), true);
-        importer.findings.push(Finding::Markup { markup: table.markup, others: table.others });
+        importer.findings.push(form.finding);
         Ok(importer)
     }
 

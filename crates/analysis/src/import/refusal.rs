@@ -1,7 +1,7 @@
 //! Errors of the import of a file as a table.
 
 use super::program::Program;
-use super::stated::DateOrder;
+use super::times::date::DateOrder;
 use crate::finding::readings;
 use std::fmt;
 use units::{Language, Words, say};

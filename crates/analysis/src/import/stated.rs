@@ -2,7 +2,7 @@
 
 use super::head::{self, Meant};
 use super::refusal::{ImportError, Refusal};
-use super::times::date;
+use super::times::date::{self, DateOrder};
 use crate::conversion::Conversion;
 use units::Unit;
 
@@ -23,33 +23,6 @@ pub fn stated_unit(text: &str, name: &str) -> Option<(Unit, Option<Conversion>)>
     Some((meant.unit, meant.reading.map(|reading| Conversion { tens: 0, reading: Some(reading) })))
 }
 
-/// Order of day and month in the dates of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DateOrder {
-    /// `20/02/2024`
-    DayFirst,
-    /// `02/20/2024`
-    MonthFirst,
-}
-
-impl DateOrder {
-    /// Both orders.
-    pub const ALL: [Self; 2] = [Self::DayFirst, Self::MonthFirst];
-
-    /// Name in settings: `day-first`, `month-first`.
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::DayFirst => "day-first",
-            Self::MonthFirst => "month-first",
-        }
-    }
-
-    /// Order of this name in settings.
-    pub fn from_code(code: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|order| order.code() == code)
-    }
-}
-
 /// Text with its dates of three numbers, `02/03/2024`, written as `2024-03-02`.
 ///
 /// # Errors
@@ -64,7 +37,7 @@ pub fn state_dates(text: &str, order: DateOrder) -> Result<String, ImportError> 
         let (part, after) = from.split_at(from.find(|letter: char| !is_part(letter)).unwrap_or(from.len()));
         let alone = !is_part(other.chars().next_back().unwrap_or(before)) && !other.ends_with(char::is_alphanumeric);
         written.push_str(other);
-        match date::in_order(part, order == DateOrder::MonthFirst).filter(|_| alone) {
+        match date::in_order(part, order).filter(|_| alone) {
             Some(Ok(date)) => written.push_str(&date),
             Some(Err(())) => {
                 let line = 1 + written.matches('\n').count();

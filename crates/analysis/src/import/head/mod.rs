@@ -75,7 +75,8 @@ pub(super) fn read(lines: &[&str], delimiter: Delimiter, below: &Below, findings
         let is_comment = bare.len() < line.len();
         // `# run 2: t y` names the run and the columns.
         let bare = prose::without_run(bare, is_comment);
-        if settings.contains(&number) || (is_comment && prose::is_prose(bare, delimiter, columns)) {
+        let is_prose = is_comment && prose::is_prose(bare, delimiter, columns);
+        if settings.contains(&number) || is_prose || prose::is_title(line, delimiter) {
             titles = filled.len();
             continue;
         }

@@ -102,6 +102,17 @@ pub(super) fn is_prose(line: &str, delimiter: Delimiter, columns: usize) -> bool
     prose && !(divided && delimiter != Delimiter::Comma)
 }
 
+/// True for a title between two equal signs, `- Data logger -`, `=== Results ===`.
+pub(super) fn is_title(line: &str, delimiter: Delimiter) -> bool {
+    let mut words = line.split_whitespace();
+    let first = words.next().unwrap_or_default();
+    let is_sign = !first.is_empty() && first.bytes().all(|byte| b"-=*#~_+".contains(&byte));
+    matches!(delimiter, Delimiter::Blanks | Delimiter::Blank)
+        && is_sign
+        && words.count() > 1
+        && line.trim_end().ends_with(first)
+}
+
 /// True if a line is the name of a run and nothing else.
 pub(super) fn is_run(line: &str, delimiter: Delimiter) -> bool {
     let blanks = matches!(delimiter, Delimiter::Blanks | Delimiter::Blank);

@@ -3,6 +3,33 @@
 /// Seconds in a day.
 pub(in crate::import) const DAY: f64 = 86_400.0;
 
+/// Order of day and month in the dates of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DateOrder {
+    /// `20/02/2024`
+    DayFirst,
+    /// `02/20/2024`
+    MonthFirst,
+}
+
+impl DateOrder {
+    /// Both orders.
+    pub const ALL: [Self; 2] = [Self::DayFirst, Self::MonthFirst];
+
+    /// Name in settings: `day-first`, `month-first`.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::DayFirst => "day-first",
+            Self::MonthFirst => "month-first",
+        }
+    }
+
+    /// Order of this name in settings.
+    pub fn from_code(code: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|order| order.code() == code)
+    }
+}
+
 /// Order of day and month in a date, from its numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::import) enum Order {
@@ -68,12 +95,13 @@ fn numeric(text: &str) -> Option<(Date, &str)> {
     Some((date, rest))
 }
 
-/// Date of three numbers with the month first or the day first, as `2024-02-20`; `None` for other texts.
+/// Date of three numbers in an order, as `2024-02-20`; `None` for other texts.
 ///
 /// # Errors
 /// The date has only the other order.
-pub(in crate::import) fn in_order(text: &str, month_first: bool) -> Option<Result<String, ()>> {
+pub(in crate::import) fn in_order(text: &str, order: DateOrder) -> Option<Result<String, ()>> {
     let (date, _) = numeric(text).filter(|(date, rest)| rest.is_empty() && date.order != Order::Stated)?;
+    let month_first = order == DateOrder::MonthFirst;
     if date.order == if month_first { Order::DayFirst } else { Order::MonthFirst } {
         return Some(Err(()));
     }

@@ -3,6 +3,7 @@
 
 mod columns;
 mod dates;
+mod labelled;
 mod markup;
 mod runs;
 

@@ -4,19 +4,13 @@
 mod collect;
 mod scan;
 
-use collect::{Collector, JsonTable};
+use collect::Collector;
+pub(super) use collect::JsonTable;
 use scan::Scanner;
 
-/// Text of JSON.
-#[derive(Debug)]
-pub(super) enum Json {
-    Table(JsonTable),
-    /// JSON without records and without several arrays of numbers of one length.
-    NoTable,
-}
-
-/// Reads a text that is JSON throughout; `None` for any other.
-pub(super) fn read(text: &str) -> Option<Json> {
+/// Reads a text that is JSON throughout; `None` for any other. The table is `None` without records and without several
+/// arrays of numbers of one length.
+pub(super) fn read(text: &str) -> Option<Option<JsonTable>> {
     let text = text.trim_start_matches('\u{feff}').trim();
     if !text.starts_with(['{', '[']) {
         return None;
@@ -24,7 +18,7 @@ pub(super) fn read(text: &str) -> Option<Json> {
     let mut scanner = Scanner::new(text);
     let mut collector = Collector::default();
     collector.document(&mut scanner)?;
-    Some(collector.table().map_or(Json::NoTable, Json::Table))
+    Some(collector.table())
 }
 
 #[cfg(test)]
@@ -46,11 +40,11 @@ mod tests {
             ),
         ] {
             match read(text) {
-                Some(Json::Table(table)) => assert_eq!(table.cells, expected, "{text}"),
+                Some(Some(table)) => assert_eq!(table.cells, expected, "{text}"),
                 other => panic!("{text}: {other:?}"),
             }
         }
-        assert!(matches!(read("{\"a\":1}"), Some(Json::NoTable)));
+        assert!(matches!(read("{\"a\":1}"), Some(None)));
         for text in ["[s]\n1 2", "{\"t\":[0,1}", "t,x", "[1,2] 3"] {
             assert!(read(text).is_none(), "{text}");
         }

@@ -1,7 +1,7 @@
 //! Annotated CSV of InfluxDB (docs.influxdata.com, "Annotated CSV"): each row holds one value of one series. The series
 //! become columns over common times.
 
-use super::cells::{COLUMNS, Cells, Delimiter};
+use crate::import::cells::{COLUMNS, Cells, Delimiter};
 use std::collections::BTreeMap;
 
 /// Upper bound of the cells of the table beyond the rows of the file. Series without common times need many empty cells.

@@ -33,7 +33,7 @@ pub(super) struct MarkedTable {
 const SPAN: usize = 100;
 
 /// True if a text begins as HTML.
-pub(super) fn is_html(text: &str) -> bool {
+pub(in crate::import) fn is_html(text: &str) -> bool {
     let start = text.get(..text.floor_char_boundary(1000)).unwrap_or(text).trim_start().to_ascii_lowercase();
     start.starts_with("<!doctype html")
         || start.starts_with("<html")

@@ -278,3 +278,18 @@ fn windows_are_bounded() {
     let slope = savitzky_golay(&times, &values, WIDEST, 7, 1);
     assert!((slope[50_000] - libm::cos(500.0)).abs() < 1e-4, "{} {}", slope[50_000], libm::cos(500.0));
 }
+
+#[test]
+fn a_resampled_film_is_noticed_in_its_file() {
+    // 27 pictures a second written at 30: every tenth row repeats the row before.
+    let row = |frame: usize| {
+        let time = f64::from((frame * 27 / 30) as u32) / 27.0;
+        format!("{:.4};{:.3};{:.3}\n", frame as f64 / 30.0, 30.0 * libm::cos(4.1 * time), 20.0 * libm::sin(4.1 * time))
+    };
+    let text: String = std::iter::once("t [s];x [cm];y [cm]\n".to_owned()).chain((0..90).map(row)).collect();
+    let table = import::text(text.as_bytes()).expect("a table").table;
+    let findings: Vec<String> =
+        inspect(&table).findings.iter().map(|finding| finding.text(Language::English)).collect();
+    let repeated = "9 of 90 rows repeat the value of x, y in the row before, at regular distances, as a film does that was converted to another frame rate: their times are wrong; leave these rows out, or use the original film";
+    assert_eq!(findings, ["the times are rounded to 0.0001 s", repeated]);
+}

@@ -11,8 +11,8 @@ pub enum Announcement {
     Play(play::Announcement),
     /// The record of this name was read.
     RecordAdded(String),
-    /// The open film has been tracked.
-    FilmTracked,
+    /// The open film has been tracked; the text says which bodies were lost, empty if none was.
+    FilmTracked(String),
     /// Reading the file of this name was cancelled.
     RecordCancelled(String),
     /// Velocity and acceleration were computed from a column of the record of this name.

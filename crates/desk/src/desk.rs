@@ -391,7 +391,7 @@ impl Desk {
             Tracked::Known => Ok(true),
             Tracked::Found(kept) => {
                 let written = self.write_film_record(false, kept)?;
-                self.note(written.announcing(Announcement::FilmTracked));
+                self.note(written.announcing(Announcement::FilmTracked(self.films().losses())));
                 Ok(true)
             }
         }

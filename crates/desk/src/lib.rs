@@ -46,10 +46,9 @@ pub use changes::{Changes, Revision};
 pub use cycles::{CycleColumn, Cycles, CyclesView, ShownCycles};
 pub use desk::Desk;
 pub use films::{
-    BodyOutline, CalibrationForm, CameraSettings, Clip, Doubt, DoubtfulFrame, FILMED_SIZE, FilmIdentity, FilmOpening,
-    FilmRecipe, FilmTruth, FilmedBody, FilmedSurface, Films, Kept, Lacking, LengthsForm, MOST_BODIES, MOST_SURFACES,
-    OpenFilm, POINT_SIGMA, ParallaxForm, ProjectFilm, ShownFilms, SpaceTimePicture, Subject, TrackingProgress,
-    TruthComparison,
+    BodyOutline, CalibrationForm, CameraSettings, Clip, FILMED_SIZE, FilmIdentity, FilmOpening, FilmRecipe, FilmTruth,
+    FilmedBody, FilmedSurface, Films, Kept, Lacking, LengthsForm, MOST_BODIES, MOST_SURFACES, OpenFilm, POINT_SIGMA,
+    ParallaxForm, ProjectFilm, ShownFilms, SpaceTimePicture, Subject, TrackingProgress, TruthComparison,
 };
 pub use fits::{
     ChoiceView, EstimateView, Export, ExportKind, Finding, FitComputation, FitData, FitDetail, FitNews, FitProgress,

@@ -160,7 +160,8 @@ impl Announcement {
             Self::DerivativesMade(name) => {
                 say!(language, "Velocity and acceleration made: {}", name)
             }
-            Self::FilmTracked => language.say("The film has been tracked").to_owned(),
+            Self::FilmTracked(lost) if lost.is_empty() => language.say("The film has been tracked").to_owned(),
+            Self::FilmTracked(lost) => lost.clone(),
             Self::RecordCancelled(name) => say!(language, "Not read: {}", name),
             Self::RecordRemoved(name) => say!(language, "Record removed: {}", name),
             Self::FitRemoved(theory) => say!(language, "Fit removed: {}", theory),

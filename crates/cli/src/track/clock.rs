@@ -3,14 +3,12 @@
 use super::arguments::{Place, Track as Arguments};
 use super::opened::{Opened, refused, refused_with};
 use crate::failure::Failure;
-use film::timing::{Finding, Intervals, TimeBase, slow_motion};
+use film::timing::{Finding, Intervals, RESOLUTION, TimeBase, displayed, slow_motion};
 use runner::records::limits;
 use std::ops::RangeInclusive;
 use units::number::fixed;
 use units::{Words, words};
 
-/// Resolution of displayed film times, s.
-const SHOWN: f64 = 1e-3;
 /// Tolerance in s of a given time later than that of a frame: `ffmpeg` counts in microseconds.
 const ROUNDED: f64 = 1e-6;
 
@@ -88,7 +86,7 @@ impl Clock {
         let (first, last) = ends.map_or((0, 0), |(first, last)| (*first, *last));
         let Some(time) = click.time else { return Ok(first) };
         let next = self.frames.iter().find(|frame| shown(frame) >= time - ROUNDED).copied();
-        if let Some(frame) = next.filter(|_| time >= shown(&first) - SHOWN) {
+        if let Some(frame) = next.filter(|_| time >= shown(&first) - RESOLUTION) {
             return Ok(frame);
         }
         let [x, y] = click.position;
@@ -100,11 +98,6 @@ impl Clock {
         );
         Err(refused_with(&film.path, why, hint))
     }
-}
-
-/// Time of a film in s, rounded down to the millisecond, so that the frame is the first one from this time on.
-pub fn displayed(seconds: f64) -> Words {
-    Words::each(move |language| fixed((seconds / SHOWN + ROUNDED).floor() * SHOWN, 3, language.style()))
 }
 
 /// Text of a finding. For doubled times it adds that the frames are left out.

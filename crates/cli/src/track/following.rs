@@ -1,10 +1,11 @@
 //! Tracking of a film from the command line.
 
 use super::arguments::{Body, Given, Place, Track as Arguments};
-use super::clock::{Clock, displayed};
+use super::clock::Clock;
 use super::decoding::Decoding;
 use super::opened::{Opened, refused, refused_with};
 use crate::failure::Failure;
+use film::timing::displayed;
 use film::tracking::body;
 use film::tracking::column::{Click, Settings, SpaceTimePicture};
 use film::tracking::{Following, Known, Plan, Refusal, Surface, Track};

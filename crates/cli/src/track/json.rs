@@ -5,7 +5,7 @@ use super::clock::Clock;
 use super::opened::Opened;
 use film::calibration::{Calibration, Lengths};
 use film::table::{Quantity, Table};
-use film::tracking::{Exposure, Known, Track};
+use film::tracking::{Doubt, DoubtfulFrame, Exposure, Known, Track, doubts};
 use serde_json::{Map, Value, json};
 use units::{Language, Words};
 
@@ -24,8 +24,15 @@ pub fn object(
         Lengths::Scale(scale) => json!({ "metres_per_pixel": scale.pixel, "relative_stderr": scale.relative_sigma }),
         _ => Value::Null,
     };
-    let tracks: Vec<Value> =
-        tracks.iter().zip(&table.quantities).map(|(track, quantities)| of_track(track, quantities, table)).collect();
+    let size = film.upright_size();
+    let doubtful = doubts(tracks, size);
+    let rows = tracks.iter().zip(&table.quantities).enumerate();
+    let tracks: Vec<Value> = rows
+        .map(|(number, (track, quantities))| {
+            let own: Vec<DoubtfulFrame> = doubtful.iter().filter(|one| one.track == number).copied().collect();
+            of_track(track, quantities, table, (&own, size))
+        })
+        .collect();
     let object = json!({
         "film": film.path.display().to_string(),
         "picture": [width, height],
@@ -41,7 +48,12 @@ pub fn object(
     format!("{object:#}\n")
 }
 
-fn of_track(track: &Track, quantities: &[Quantity], table: &Table) -> Value {
+fn of_track(
+    track: &Track,
+    quantities: &[Quantity],
+    table: &Table,
+    (doubtful, size): (&[DoubtfulFrame], [f64; 2]),
+) -> Value {
     let rows = table.frames.iter().enumerate();
     let points = rows.filter_map(|(row, frame)| {
         let at = track.points.binary_search_by_key(frame, |point| point.frame).ok()?;
@@ -58,6 +70,8 @@ fn of_track(track: &Track, quantities: &[Quantity], table: &Table) -> Value {
         }
         add("score", json!(point.score));
         add("doubtful", json!(point.doubtful));
+        let doubt = doubtful.iter().find(|one| one.frame == *frame && !matches!(one.doubt, Doubt::Lost(_)));
+        add("doubt", json!(doubt.map(|one| one.doubt.code())));
         Some(Value::Object(object))
     });
     let points: Vec<Value> = points.collect();
@@ -69,7 +83,9 @@ fn of_track(track: &Track, quantities: &[Quantity], table: &Table) -> Value {
         },
         "readout": track.readout.map(|readout| json!({ "seconds": readout.seconds, "stderr": readout.sigma })),
         "camera_shift": track.shift.map(|shift| json!({ "pixels": shift.pixels })),
+        "radius": track.outline.map(|outline| outline.radius),
         "lost_from_frame": track.lost,
+        "lost_because": track.loss(size).map(|loss| loss.reason.code()),
         "points": points,
     })
 }

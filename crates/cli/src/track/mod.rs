@@ -69,7 +69,7 @@ fn one(
     bar.finish_and_clear();
     let followed = followed?;
     let table = Table::of(&followed.tracks, &calibration, &|frame| clock.times.get(frame).copied().unwrap_or(f64::NAN));
-    let found = notes::notes(&followed.tracks, &table, &calibration, &film.times);
+    let found = notes::notes(&followed.tracks, &table, &calibration, (&film.times, film.upright_size()));
     let notes: Vec<Words> = [film.notes.clone(), clock.notes.clone(), followed.notes.clone(), found].concat();
     let language = terminal.language;
     let bytes = match format {

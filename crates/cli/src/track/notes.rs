@@ -1,19 +1,26 @@
 //! Notes on the tracks of a film.
 
-use super::clock::displayed;
 use film::calibration::Calibration;
 use film::table::Table;
+use film::timing::displayed;
 use film::tracking::Track;
+use units::number::fixed;
 use units::{Words, words};
 
 /// Maximum number of listed frames or gaps.
 const LISTED: usize = 8;
 
-/// Notes on tracks and calibration for the user. `shown`: presentation times of all frames of the film, s.
-pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: &[f64]) -> Vec<Words> {
+/// Notes on tracks and calibration for the user. `shown`: presentation times of all frames of the film, s; `size`: width
+/// and height of the upright picture, px.
+pub fn notes(
+    tracks: &[Track],
+    table: &Table,
+    calibration: &Calibration,
+    (shown, size): (&[f64], [f64; 2]),
+) -> Vec<Words> {
     let mut notes = Vec::new();
     for (number, track) in (1..).zip(tracks) {
-        let found = of_track(track, table, shown);
+        let found = of_track(track, table, (shown, size));
         let named =
             |words: Words| words!("track {number}: {what}", number = Words::same(number.to_string()), what = words);
         notes.extend(found.into_iter().map(|words| if tracks.len() > 1 { named(words) } else { words }));
@@ -22,7 +29,7 @@ pub fn notes(tracks: &[Track], table: &Table, calibration: &Calibration, shown: 
     notes
 }
 
-fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
+fn of_track(track: &Track, table: &Table, (shown, size): (&[f64], [f64; 2])) -> Vec<Words> {
     let mut notes = Vec::new();
     if track.points.is_empty() {
         notes.push(words("it was found in no frame"));
@@ -46,19 +53,27 @@ fn of_track(track: &Track, table: &Table, shown: &[f64]) -> Vec<Words> {
         let listed = listed.join(", ") + if hidden.len() > LISTED { ", ..." } else { "" };
         notes.push(words!("not seen in frames {listed} (counted from 1), which have no position of it"));
     }
-    if let Some(frame) = track.lost {
-        let time = shown.get(frame).copied().unwrap_or(f64::NAN);
-        // Rows continue if a key frame finds the body again, and for other bodies.
-        let then = match track.points.last() {
-            Some(last) if last.frame > frame => words("it is found again later"),
-            _ if table.frames.len() > track.points.len() => words("later rows have no value for it"),
-            _ => words("later frames have no row"),
-        };
+    if let Some(outline) = track.outline {
         notes.push(words!(
-            "lost from frame {frame} on (counted from 1; {time} s of the film), where nothing resembles what was clicked; {then}",
-            frame = Words::same((frame + 1).to_string()),
-            time = displayed(time),
+            "the circle of the body has a radius of {radius} px",
+            radius = Words::each(move |language| fixed(outline.radius, 1, language.style()))
         ));
+    }
+    let time = |frame: usize| displayed(shown.get(frame).copied().unwrap_or(f64::NAN));
+    match (track.loss(size), track.lost) {
+        (Some(loss), _) => {
+            let rows = match table.frames.len() > track.points.len() {
+                true => words("later rows have no value for it"),
+                false => words("later frames have no row"),
+            };
+            notes.push(words!("{loss}; {rows}", loss = loss.words(time(loss.frame))));
+        }
+        (None, Some(frame)) => notes.push(words!(
+            "lost from frame {frame} on (counted from 1; {time} s of the film), and found again later",
+            frame = Words::same((frame + 1).to_string()),
+            time = time(frame),
+        )),
+        (None, None) => {}
     }
     notes
 }

@@ -5,7 +5,6 @@
 
 mod calibrating;
 mod clip;
-mod doubt;
 mod filming;
 mod identity;
 mod lengths;
@@ -26,7 +25,6 @@ mod view;
 pub(crate) mod work;
 
 pub use clip::Clip;
-pub use doubt::{Doubt, DoubtfulFrame};
 pub use identity::FilmIdentity;
 pub use lengths::{CalibrationForm, Lacking, LengthsForm, ParallaxForm};
 pub use opening::FilmOpening;

@@ -2,7 +2,6 @@
 
 use crate::films::ShownFilms;
 use crate::films::clip::Clip;
-use crate::films::doubt::{DoubtfulFrame, doubts, plainly};
 use crate::films::identity::FilmIdentity;
 use crate::films::lengths::CalibrationForm;
 use crate::films::recipe::FilmRecipe;
@@ -13,8 +12,9 @@ use crate::films::truth::FilmTruth;
 use crate::films::work::Work;
 use crate::number;
 use film::calibration::{Calibration, Lengths};
+use film::timing::displayed;
 use film::tracking::column::SpaceTimePicture;
-use film::tracking::{Outline, Track};
+use film::tracking::{DoubtfulFrame, LossReason, Outline, Track, doubts, is_plainly_in_doubt};
 use units::{Words, words};
 
 /// Open film, and the work on it.
@@ -48,6 +48,23 @@ impl<'a> ShownFilms<'a> {
         let Some(film) = self.current() else { return Vec::new() };
         let sentence = |words: Words| units::sentence(&words.text(self.play.basis().language()));
         film.notes().into_iter().map(sentence).collect()
+    }
+
+    /// Sentences on the bodies that are lost before the end of the used part; empty without one.
+    pub fn losses(self) -> String {
+        let Some(film) = self.current() else { return String::new() };
+        let (tracks, size) = (film.tracks(), film.clip().size());
+        let sentences = (1..).zip(&tracks).filter_map(|(number, track)| {
+            let loss = track.loss(size)?;
+            let time = film.clip().times().get(loss.frame).copied().unwrap_or(f64::NAN);
+            let what = loss.words(displayed(time));
+            let what = match tracks.len() {
+                1 => what,
+                _ => words!("track {number}: {what}", number = Words::same(number.to_string()), what = what),
+            };
+            Some(units::sentence(&what.text(self.play.basis().language())))
+        });
+        sentences.collect::<Vec<_>>().join(" ")
     }
 
     /// Measured position in a frame of the open film, such as `y_2 = 0.0413 ± 0.0002 m`, with two numbers for a body.
@@ -158,12 +175,19 @@ impl<'a> OpenFilm<'a> {
 
     /// Frames that the user should check, in order.
     pub fn doubtful(self) -> Vec<DoubtfulFrame> {
-        doubts(&self.work.tracks())
+        doubts(&self.work.tracks(), self.open.clip.size())
     }
 
     /// True if a track was lost or has many doubtful frames: the user should check before the record is used.
     pub fn is_plainly_in_doubt(&self) -> bool {
-        plainly(&self.work.tracks())
+        is_plainly_in_doubt(&self.work.tracks())
+    }
+
+    /// True if a body is lost before its path ends: it is not found again and has not left the picture.
+    pub fn is_lost(self) -> bool {
+        let size = self.open.clip.size();
+        let is_lost = |track: &Track| track.loss(size).is_some_and(|loss| loss.reason != LossReason::Left);
+        self.work.tracks().iter().any(is_lost)
     }
 
     /// Space-time picture of a surface, once the film has been tracked since it was opened.

@@ -4,7 +4,7 @@ use super::frames::go;
 use super::now::now;
 use super::words;
 use crate::app::App;
-use desk::{Doubt, DoubtfulFrame};
+use film::tracking::{Doubt, DoubtfulFrame};
 use view::pieces::icons;
 use view::views::*;
 
@@ -57,7 +57,8 @@ pub fn list(app: App) -> View {
         }
         let language = app.language.get_untracked();
         // A lost track affects all that follows, and is always listed.
-        let (lost, others): (Vec<DoubtfulFrame>, Vec<_>) = doubts.iter().partition(|doubt| doubt.doubt == Doubt::Lost);
+        let (lost, others): (Vec<DoubtfulFrame>, Vec<_>) =
+            doubts.iter().partition(|doubt| matches!(doubt.doubt, Doubt::Lost(_)));
         let named = lost.iter().chain(others.iter().take(NAMED)).map(|doubt| {
             let frame = doubt.frame;
             let name = format!("{} {}: {}", words.frame, frame + 1, doubt.doubt.words().text(language));

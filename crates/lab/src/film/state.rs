@@ -1,9 +1,9 @@
 //! State of the open film on the desk.
 
 use super::aim::Pixel;
-use desk::{BodyOutline, CalibrationForm, Desk, DoubtfulFrame, MOST_BODIES, OpenFilm, Subject};
+use desk::{BodyOutline, CalibrationForm, Desk, MOST_BODIES, OpenFilm, Subject};
 use film::calibration::{Calibration, Lengths};
-use film::tracking::Track;
+use film::tracking::{DoubtfulFrame, Track};
 use units::number::{Style, plain};
 
 /// State of the open film.
@@ -35,6 +35,8 @@ pub struct Now {
     pub tracks: Vec<Track>,
     /// Doubtful frames.
     pub doubts: Vec<DoubtfulFrame>,
+    /// True if a body is lost before its path ends.
+    pub lost: bool,
     /// True if a track was lost or has many doubtful frames.
     pub plainly_in_doubt: bool,
     /// Number of the record, if it exists.
@@ -68,6 +70,7 @@ impl Now {
             calibration: *film.calibration(),
             tracks: film.tracks(),
             doubts: film.doubtful(),
+            lost: film.is_lost(),
             plainly_in_doubt: film.is_plainly_in_doubt(),
             record: film.record().filter(|id| desk.records().list().iter().any(|record| record.id == *id)),
             filmed: film.truth().is_some(),

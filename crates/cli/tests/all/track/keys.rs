@@ -31,7 +31,7 @@ fn bodies_are_found_again_by_key_frames_of_their_own() {
     for part in [
         "track 1: lost from frame 16 on (counted from 1; 0.500 s of the film)",
         "track 2: lost from frame 35 on (counted from 1; 1.133 s of the film)",
-        "it is found again later",
+        "and found again later",
     ] {
         assert!(done.stderr.contains(part), "lacks «{part}»: {}", done.stderr);
     }

@@ -5,7 +5,7 @@ use super::{laboratory, ruler};
 use desk::film::Plane;
 use desk::film::tracking::column::Click;
 use desk::saved::Item;
-use desk::{Desk, FilmedBody, Subject};
+use desk::{Announcement, Desk, FilmedBody, Subject};
 
 /// Frames of the film.
 const FRAMES: usize = 24;
@@ -144,4 +144,29 @@ fn the_outline_is_there_at_the_next_visit() {
         let broken = visit(&text.replace(&own, "\"radius\":1e9"));
         assert!(broken.films().current().unwrap().subject().is_nothing());
     }
+}
+
+#[test]
+fn a_lost_ball_is_announced_with_its_reason_in_place_of_success() {
+    let mut desk = clicked();
+    // Behind something from the ninth frame on.
+    let wall = |frame: usize| {
+        let grey = |at: usize| 200 + (at * (7 + frame) % 5) as u8;
+        Plane::new(WIDTH, HEIGHT, (0..WIDTH * HEIGHT).map(grey).collect()).unwrap()
+    };
+    track(&mut desk, &|frame| if frame < 8 { picture(frame) } else { wall(frame) });
+    let film = desk.films().current().unwrap();
+    assert!(film.is_lost());
+    assert_eq!(
+        desk.films().losses(),
+        "Lost from frame 9 on (counted from 1; 0.266 s of the film): soon after the click, so that the circle may hold wall or shadow beside the body; set a smaller radius, or click it in another frame."
+    );
+    let said: Vec<_> = std::iter::from_fn(|| desk.take_announcement()).collect();
+    assert!(said.contains(&Announcement::FilmTracked(desk.films().losses())), "{said:?}");
+    // Followed to the end, it is tracked and nothing else.
+    desk.work_on_film(|films, play| films.set_radius(play, 0, Some(BALL))).unwrap();
+    track(&mut desk, &picture);
+    assert_eq!(desk.films().losses(), "");
+    let said: Vec<_> = std::iter::from_fn(|| desk.take_announcement()).collect();
+    assert!(said.contains(&Announcement::FilmTracked(String::new())), "{said:?}");
 }

@@ -1,6 +1,7 @@
 //! Frames that the user should check.
 
-use film::tracking::Track;
+use super::loss::LossReason;
+use super::track::{Point, Track};
 use units::order::{median, sort_by_key};
 use units::{Words, words};
 
@@ -15,8 +16,8 @@ const MANY: usize = 10;
 /// Reason for the doubt about a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doubt {
-    /// The body was not found from this frame on.
-    Lost,
+    /// The body was not found from this frame on; the reason is `None` if it is found again later.
+    Lost(Option<LossReason>),
     /// The picture hardly resembles what was clicked.
     Score,
     /// The standard error is much larger than the median.
@@ -37,10 +38,21 @@ pub struct DoubtfulFrame {
 }
 
 impl Doubt {
+    /// Name in JSON.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Lost(_) => "lost",
+            Self::Score => "score",
+            Self::Error => "error",
+            Self::Deviation => "deviation",
+        }
+    }
+
     /// Short description.
     pub fn words(self) -> Words {
         match self {
-            Self::Lost => words("lost from here on"),
+            Self::Lost(None) => words("lost from here on, and found again later"),
+            Self::Lost(Some(reason)) => words!("lost from here on: {reason}", reason = reason.words()),
             Self::Score => words("hardly resembles what was clicked"),
             Self::Error => words("large standard error"),
             Self::Deviation => words("does not follow from the frames around it"),
@@ -49,7 +61,7 @@ impl Doubt {
 }
 
 /// True if a track was lost, or more than a tenth of its points are doubtful.
-pub(crate) fn plainly(tracks: &[Track]) -> bool {
+pub fn is_plainly_in_doubt(tracks: &[Track]) -> bool {
     let many = |own: &Track| {
         let doubtful = own.points.iter().filter(|point| point.doubtful).count();
         own.lost.is_some() || MANY * doubtful > own.points.len()
@@ -57,23 +69,23 @@ pub(crate) fn plainly(tracks: &[Track]) -> bool {
     tracks.iter().any(many)
 }
 
-/// Doubtful frames of some tracks, ordered by frame and track.
-pub(crate) fn doubts(tracks: &[Track]) -> Vec<DoubtfulFrame> {
+/// Doubtful frames of some tracks in an upright picture of `size` px, ordered by frame and track.
+pub fn doubts(tracks: &[Track], size: [f64; 2]) -> Vec<DoubtfulFrame> {
     let mut found = Vec::new();
     for (track, own) in tracks.iter().enumerate() {
-        let size = |sigma: [f64; 2]| libm::hypot(sigma[0], sigma[1]);
-        let usual = median(own.points.iter().map(|point| size(point.sigma)).collect());
-        let why = |point: &film::tracking::Point| {
+        let length = |sigma: [f64; 2]| libm::hypot(sigma[0], sigma[1]);
+        let usual = median(own.points.iter().map(|point| length(point.sigma)).collect());
+        let why = |point: &Point| {
             if point.doubtful && point.score < SCORE {
                 Some(Doubt::Score)
-            } else if size(point.sigma) > LARGE * usual {
+            } else if length(point.sigma) > LARGE * usual {
                 Some(Doubt::Error)
             } else {
                 point.doubtful.then_some(Doubt::Deviation)
             }
         };
         let doubtful = own.points.iter().filter_map(|point| Some((point.frame, why(point)?)));
-        let lost = own.lost.map(|frame| (frame, Doubt::Lost));
+        let lost = own.lost.map(|frame| (frame, Doubt::Lost(own.loss(size).map(|loss| loss.reason))));
         found.extend(doubtful.chain(lost).map(|(frame, doubt)| DoubtfulFrame { frame, track, doubt }));
     }
     sort_by_key(&mut found, |one| (one.frame, one.track));

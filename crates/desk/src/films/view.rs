@@ -183,11 +183,12 @@ impl<'a> OpenFilm<'a> {
         is_plainly_in_doubt(&self.work.tracks())
     }
 
-    /// True if a body is lost before its path ends: it is not found again and has not left the picture.
-    pub fn is_lost(self) -> bool {
+    /// First frame without a body that is lost before its path ends: it is not found again and has not left the picture.
+    pub fn lost_from(self) -> Option<usize> {
         let size = self.open.clip.size();
-        let is_lost = |track: &Track| track.loss(size).is_some_and(|loss| loss.reason != LossReason::Left);
-        self.work.tracks().iter().any(is_lost)
+        let tracks = self.work.tracks();
+        let losses = tracks.iter().filter_map(|track| track.loss(size));
+        losses.filter(|loss| loss.reason != LossReason::Left).map(|loss| loss.frame).min()
     }
 
     /// Space-time picture of a surface, once the film has been tracked since it was opened.

@@ -1,6 +1,8 @@
 //! Tracking: decodes the frames that the desk requests, and lets it compute between them.
 
 use super::access::{Greys, Reader, Trouble};
+use super::aim::Tool;
+use super::frames::go;
 use super::refusals::{refuse, said};
 use crate::app::App;
 use view::browser;
@@ -49,7 +51,17 @@ pub fn go_on(app: App) {
         app.films.progress.set(None);
         refuse(app, refusal);
         app.act(|_| ());
+        ask_again(app);
     });
+}
+
+/// Shows the frame in which a body was lost, for a click on it, unless the ruler has been begun.
+fn ask_again(app: App) {
+    let lost_from = app.read_desk(|desk| desk.films().current().and_then(|film| film.lost_from()));
+    if let Some(frame) = lost_from.filter(|_| app.films.ruler.with_untracked(Vec::is_empty)) {
+        app.films.tool.set(Tool::Subject);
+        go(app, frame);
+    }
 }
 
 fn show_progress(app: App) {

@@ -156,7 +156,7 @@ fn a_lost_ball_is_announced_with_its_reason_in_place_of_success() {
     };
     track(&mut desk, &|frame| if frame < 8 { picture(frame) } else { wall(frame) });
     let film = desk.films().current().unwrap();
-    assert!(film.is_lost());
+    assert_eq!(film.lost_from(), Some(8));
     assert_eq!(
         desk.films().losses(),
         "Lost from frame 9 on (counted from 1; 0.266 s of the film): soon after the click, so that the circle may hold wall or shadow beside the body; set a smaller radius, or click it in another frame."

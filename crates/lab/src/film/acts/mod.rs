@@ -91,5 +91,5 @@ fn done(app: App) -> [bool; 4] {
     let now = app.films.now.get_clone();
     let Some(now) = now else { return [false; 4] };
     let record = now.record.is_some() && !now.plainly_in_doubt;
-    [true, !now.subject.is_nothing() && !now.lost, now.form.lacking(&now.subject).is_none(), record]
+    [true, !now.subject.is_nothing() && now.lost_from.is_none(), now.form.lacking(&now.subject).is_none(), record]
 }

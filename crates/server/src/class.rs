@@ -2,12 +2,15 @@
 //! servers before the same store are read before each request ([`Classes::catch_up`]).
 
 mod learning;
+mod settings;
+
+pub use settings::Settings;
 
 use crate::codes::{self, Hash};
 use crate::pseudonyms::pseudonym;
 use crate::store::{ClassRow, Cursor, Fault, NewSeat, SeatRow, Store};
 use crate::time::DAY;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -22,50 +25,6 @@ const MOST_OF_SEAT: u64 = 64 << 20;
 
 /// Maximum number of seats of a class.
 pub const MOST_SEATS: u32 = 10_000;
-
-/// Settings of the teacher. The latest event of the teacher counts.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Settings {
-    /// Hand-ins are accepted.
-    pub open: bool,
-    /// The pages of the students are covered.
-    pub paused: bool,
-    /// Document at which the class works; `None` if each student chooses.
-    pub pace: Option<String>,
-    /// Time at which the class closes, by the server's clock, in milliseconds since 1970.
-    pub closes: Option<u64>,
-    /// New seats are given.
-    pub joining: bool,
-    /// Students who join from now on wait until the teacher lets them in.
-    pub approve: bool,
-    /// Students see how many have answered each question, and how many of them rightly.
-    pub results: bool,
-    /// Students see the answers of others to a question that they have answered themselves.
-    pub others: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            open: true,
-            paused: false,
-            pace: None,
-            closes: None,
-            joining: true,
-            approve: false,
-            results: false,
-            others: false,
-        }
-    }
-}
-
-impl Settings {
-    /// True if hand-ins are accepted at this time.
-    pub fn accepts(&self, now: u64) -> bool {
-        self.open && self.closes.is_none_or(|closes| now < closes)
-    }
-}
 
 /// Holder of a token.
 #[derive(Clone, Debug, PartialEq, Eq)]

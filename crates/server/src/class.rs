@@ -2,13 +2,16 @@
 //! servers before the same store are read before each request ([`Classes::catch_up`]).
 
 mod learning;
+mod settings;
+
+pub use settings::Settings;
 
 use crate::codes::{self, Hash};
 use crate::pseudonyms::pseudonym;
 use crate::store::{ClassRow, Cursor, Fault, NewSeat, SeatRow, Store};
 use crate::time::DAY;
-use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, HashMap};
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::watch;
@@ -22,39 +25,6 @@ const MOST_OF_SEAT: u64 = 64 << 20;
 
 /// Maximum number of seats of a class.
 pub const MOST_SEATS: u32 = 10_000;
-
-/// Settings of the teacher. The latest event of the teacher counts.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Settings {
-    /// Hand-ins are accepted.
-    pub open: bool,
-    /// The pages of the students are covered.
-    pub paused: bool,
-    /// Document at which the class works; `None` if each student chooses.
-    pub pace: Option<String>,
-    /// Time at which the class closes, by the server's clock, in milliseconds since 1970.
-    pub closes: Option<u64>,
-    /// Students who join from now on wait until the teacher lets them in.
-    pub approve: bool,
-    /// Students see how many have answered each question, and how many of them rightly.
-    pub results: bool,
-    /// Students see the answers of others to a question that they have answered themselves.
-    pub others: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { open: true, paused: false, pace: None, closes: None, approve: false, results: false, others: false }
-    }
-}
-
-impl Settings {
-    /// True if hand-ins are accepted at this time.
-    pub fn accepts(&self, now: u64) -> bool {
-        self.open && self.closes.is_none_or(|closes| now < closes)
-    }
-}
 
 /// Holder of a token.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,10 +54,34 @@ pub struct Joined {
     pub approved: bool,
 }
 
+/// Reason why nobody has joined.
+#[derive(Debug)]
+pub enum NotJoined {
+    /// There is no such code.
+    Wrong,
+    /// The class is closed.
+    Closed,
+    /// The class has as many seats as it may, or the teacher gives no more.
+    Full,
+    /// The store did not do it.
+    Store(Fault),
+}
+
+impl From<Fault> for NotJoined {
+    fn from(fault: Fault) -> Self {
+        match fault {
+            Fault::SeatFull => Self::Full,
+            fault => Self::Store(fault),
+        }
+    }
+}
+
 /// A class.
 #[derive(Debug)]
 pub struct Class {
     row: ClassRow,
+    /// Present code.
+    code: Mutex<String>,
     state: Mutex<State>,
     settings: watch::Sender<Settings>,
     /// Order of arrival of the settings.
@@ -123,8 +117,8 @@ impl Class {
     }
 
     /// Code with which students join.
-    pub fn code(&self) -> &str {
-        &self.row.code
+    pub fn code(&self) -> String {
+        locked(&self.code).clone()
     }
 
     /// Title.
@@ -309,6 +303,7 @@ impl Classes {
         let keys: Vec<(Hash, u32)> = seats.iter().map(|seat| (seat.key, seat.seat)).collect();
         let seats = seats.into_iter().map(|seat| (seat.seat, seat)).collect();
         let class = Arc::new(Class {
+            code: Mutex::new(row.code.clone()),
             row,
             state: Mutex::new(State { seats, sizes }),
             settings: watch::channel(settings).0,
@@ -337,17 +332,17 @@ impl Classes {
         Ok(locked(&self.tokens).get(&codes::hash(token)).cloned())
     }
 
-    /// Joins with the code of a class, or with the key of a seat. `None` if the code is wrong.
+    /// Joins with the code of a class, or with the key of a seat. A closed class gives no new seats; a seat takes another device.
     ///
     /// # Errors
-    /// The store cannot be written, or the class is full.
-    pub async fn join(&self, typed: &str) -> Result<Option<Joined>, Fault> {
+    /// The code is wrong, the class gives no seat, or the store cannot be written.
+    pub async fn join(&self, typed: &str, now: u64) -> Result<Joined, NotJoined> {
         self.catch_up().await?;
         let code = codes::normal(typed);
         let token = codes::token().ok_or(Fault::Ending)?;
         let hash = codes::hash(&token);
         let taken = locked(&self.keys).get(&codes::hash(&code)).cloned();
-        let found = locked(&self.classes).iter().find(|class| class.row.code == code).cloned();
+        let found = locked(&self.classes).iter().find(|class| *locked(&class.code) == code).cloned();
         let (class, seat, key) = match (taken, found) {
             (Some((class, seat)), _) => {
                 let seat = class.seat(seat).ok_or(Fault::Missing)?;
@@ -355,6 +350,13 @@ impl Classes {
                 (class, seat, String::new())
             }
             (None, Some(class)) => {
+                let settings = class.settings();
+                if !settings.accepts(now) {
+                    return Err(NotJoined::Closed);
+                }
+                if !settings.joining {
+                    return Err(NotJoined::Full);
+                }
                 let key = codes::code(codes::SEAT_KEY).ok_or(Fault::Ending)?;
                 let seat = self.new_seat(&class, codes::hash(&key));
                 let seat = self.store.add_seat(class.id().to_owned(), seat, hash, MOST_SEATS).await?;
@@ -362,13 +364,13 @@ impl Classes {
                 locked(&self.keys).insert(seat.key, (class.clone(), seat.seat));
                 (class, seat, key)
             }
-            (None, None) => return Ok(None),
+            (None, None) => return Err(NotJoined::Wrong),
         };
         locked(&self.tokens).insert(hash, Holder::Student(class.clone(), seat.seat));
         class.tell_of_seats();
         let survey = class.row.survey.clone();
         let SeatRow { seat, pseudonym, approved, .. } = seat;
-        Ok(Some(Joined { token, seat, pseudonym, key, survey, approved }))
+        Ok(Joined { token, seat, pseudonym, key, survey, approved })
     }
 
     fn new_seat(&self, class: &Class, key: Hash) -> NewSeat {
@@ -438,8 +440,36 @@ impl Classes {
     /// There is no such seat, or the store cannot be written.
     pub async fn erase(&self, class: &Class, seat: u32) -> Result<(), Fault> {
         // From here on the store takes nothing of this seat. Its tokens stay until it is erased, so that one can try again.
-        self.store.erase_seat(class.id().to_owned(), seat).await?;
+        self.store.erase_seats(class.id().to_owned(), vec![seat]).await?;
         self.forget(|of, own| *of == *class && own == seat);
+        Ok(())
+    }
+
+    /// Erases the seats that have handed in nothing. Pages that do so meanwhile keep their work and join again.
+    ///
+    /// # Errors
+    /// The store cannot be read or written.
+    pub async fn erase_unused(&self, class: &Class) -> Result<(), Fault> {
+        self.catch_up().await?;
+        let used: BTreeSet<u32> =
+            self.store.sizes(class.id().to_owned()).await?.into_iter().map(|(seat, _)| seat).collect();
+        let unused: BTreeSet<u32> = {
+            let state = locked(&class.state);
+            state.seats.keys().filter(|seat| !used.contains(seat) && !state.sizes.contains_key(seat)).copied().collect()
+        };
+        self.store.erase_seats(class.id().to_owned(), unused.iter().copied().collect()).await?;
+        self.forget(|of, own| *of == *class && unused.contains(&own));
+        Ok(())
+    }
+
+    /// Gives a class another code. The former one opens nothing from then on; seats and their devices stay.
+    ///
+    /// # Errors
+    /// The store cannot be written; the former code stays.
+    pub async fn renew_code(&self, class: &Class) -> Result<(), Fault> {
+        let code = codes::code(codes::CLASS_CODE).ok_or(Fault::Ending)?;
+        self.store.set_code(class.id().to_owned(), code.clone()).await?;
+        *locked(&class.code) = code;
         Ok(())
     }
 

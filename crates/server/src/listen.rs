@@ -1,8 +1,11 @@
 //! Connections: plain and TLS, each with limits.
 
 use crate::http::Peer;
-use axum::{Extension, Router};
+use axum::Router;
+use hyper::Request;
+use hyper::body::Incoming;
 use hyper::server::conn::http1;
+use hyper::service::{Service as _, service_fn};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
@@ -43,13 +46,13 @@ pub async fn serve(listener: TcpListener, routes: Router, tls: Option<Tls>) {
         };
         // Answers are small and waited for.
         let _ = stream.set_nodelay(true);
-        let (routes, tls) = (routes.clone().layer(Extension(Peer(peer.ip()))), tls.clone());
+        let (routes, tls, peer) = (routes.clone(), tls.clone(), Peer(peer.ip()));
         tokio::spawn(async move {
             match tls {
-                None => one(stream, routes).await,
+                None => one(stream, routes, peer).await,
                 Some(tls) => {
                     if let Ok(Ok(stream)) = timeout(HANDSHAKE, tls.accept(stream)).await {
-                        one(stream, routes).await;
+                        one(stream, routes, peer).await;
                     }
                 }
             }
@@ -58,8 +61,13 @@ pub async fn serve(listener: TcpListener, routes: Router, tls: Option<Tls>) {
     }
 }
 
-async fn one(stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static, routes: Router) {
-    let service = TowerToHyperService::new(routes);
+async fn one(stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static, routes: Router, peer: Peer) {
+    // The routes are shared: a layer with the address would be a copy of them for each connection.
+    let routes = TowerToHyperService::new(routes);
+    let service = service_fn(|mut request: Request<Incoming>| {
+        request.extensions_mut().insert(peer);
+        routes.call(request)
+    });
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(HEAD)

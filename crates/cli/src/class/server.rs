@@ -89,7 +89,7 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
     match arguments.seat {
         Some(seat) => {
             let class = stored::chosen(classes, arguments.class.as_deref(), fails)?;
-            store.erase_seat(class.class, seat).await.map_err(fails)?;
+            store.erase_seats(class.class, vec![seat]).await.map_err(fails)?;
         }
         None => {
             for class in classes {
@@ -317,7 +317,7 @@ fn announce(server: &Server, class: &Class, link: &str, own: SocketAddr, termina
     let ends = language.say("Ctrl-C ends the server; the class stays in");
     terminal.print(&format!(
         "{}\n{students}: {}   {code}: {}\n{teacher} ({once}): {base}/teacher#link={link}\n{ends} {}\n",
-        qr::terminal(&place.join_address(class.code())),
+        qr::terminal(&place.join_address(&class.code())),
         place.address,
         class.code(),
         server.classes().store().location(),

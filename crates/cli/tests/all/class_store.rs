@@ -17,7 +17,7 @@ fn store(path: &Path, typed: &[&str]) {
         let classes = Classes::open(store.clone(), Language::English, now()).await.unwrap();
         let class = classes.begin("Tubes", 30, now()).await.unwrap();
         for typed in typed {
-            let seat = classes.join(class.code()).await.unwrap().unwrap().seat;
+            let seat = classes.join(&class.code(), now()).await.unwrap().seat;
             let parts = [
                 ("documents", json!([{ "name": "tube.md", "text": format!("# {typed}") }])),
                 ("state", json!("")),

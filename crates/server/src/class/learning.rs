@@ -32,8 +32,11 @@ impl Classes {
                 seat => self.forget(|of, own| of.id() == class && own == seat),
             }
         }
-        for row in classes.into_iter().filter(|row| self.find(&row.class).is_none()) {
-            self.read(row).await?;
+        for row in classes {
+            match self.find(&row.class) {
+                Some(class) => *locked(&class.code) = row.code,
+                None => drop(self.read(row).await?),
+            }
         }
         for (class, seat) in seats {
             let Some(class) = self.find(&class) else { continue };

@@ -1,11 +1,12 @@
 //! Answers as JSON, and bodies of bounded size and time.
 
-use super::state::Server;
+use super::limits::BodyRoom;
 use crate::store::Fault;
 use axum::body::{Body, to_bytes};
 use axum::extract::Request;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use futures_util::StreamExt as _;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -14,9 +15,13 @@ use tokio::time::timeout;
 
 /// Maximum size of a body, in bytes.
 pub const LARGEST: usize = 8 << 20;
+/// Maximum size of a small body, in bytes.
+const SMALL: usize = 1 << 12;
 
 /// Maximum time in which a body must arrive.
 const ARRIVES: Duration = Duration::from_secs(60);
+/// Maximum time between two parts of a large body.
+const SILENCE: Duration = Duration::from_secs(20);
 
 /// Time after which a request to a store that does not answer is sent again, in seconds.
 const RETRY_AFTER: HeaderValue = HeaderValue::from_static("2");
@@ -37,9 +42,15 @@ pub struct Refusal {
 }
 
 /// A refusal with a reason for the page.
-pub fn refuse(status: StatusCode, why: &'static str) -> Refusal {
+pub const fn refuse(status: StatusCode, why: &'static str) -> Refusal {
     Refusal { status, why, highest: None }
 }
+
+const BODY: Refusal = refuse(StatusCode::BAD_REQUEST, "body");
+const SLOW: Refusal = refuse(StatusCode::REQUEST_TIMEOUT, "slow");
+const BUSY: Refusal = refuse(StatusCode::SERVICE_UNAVAILABLE, "busy");
+/// The client has as many requests at the same time as it may.
+pub const MANY: Refusal = refuse(StatusCode::TOO_MANY_REQUESTS, "many");
 
 impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
@@ -66,29 +77,49 @@ impl From<Fault> for Refusal {
     }
 }
 
-/// Reads a body of JSON.
+/// Reads a small body of JSON, which needs no room of others.
 ///
 /// # Errors
-/// Its length is not stated or is above `most`, it arrives too slowly, or it is no such JSON.
-pub async fn body<T: DeserializeOwned>(server: &Server, request: Request<Body>, most: usize) -> Result<T, Refusal> {
+/// Its length is not stated or is above [`SMALL`], it arrives too slowly, or it is no such JSON.
+pub async fn small<T: DeserializeOwned>(request: Request<Body>) -> Result<T, Refusal> {
+    is_bounded(&request, SMALL)?;
+    let read = to_bytes(request.into_body(), SMALL);
+    let bytes = timeout(ARRIVES, read).await.map_err(|_| SLOW)?.map_err(|_| BODY)?;
+    serde_json::from_slice(&bytes).map_err(|_| BODY)
+}
+
+/// Reads a large body of JSON. It takes room as its bytes arrive, and gives it back at the end. `room`: `None` if its sender has
+/// no more.
+///
+/// # Errors
+/// Its length is not stated or is above `most`, there is no room, it arrives too slowly, or it is no such JSON.
+pub async fn large<T: DeserializeOwned>(
+    room: Option<BodyRoom>,
+    request: Request<Body>,
+    most: usize,
+) -> Result<T, Refusal> {
+    is_bounded(&request, most)?;
+    let mut room = room.ok_or(MANY)?;
+    let read = async {
+        let mut chunks = request.into_body().into_data_stream();
+        let mut bytes = Vec::new();
+        while let Some(chunk) = timeout(SILENCE, chunks.next()).await.map_err(|_| SLOW)? {
+            let chunk = chunk.map_err(|_| BODY)?;
+            room.grow(bytes.len() + chunk.len()).await.ok_or(BUSY)?;
+            bytes.extend_from_slice(&chunk);
+        }
+        serde_json::from_slice(&bytes).map_err(|_| BODY)
+    };
+    timeout(ARRIVES, read).await.unwrap_or(Err(SLOW))
+}
+
+/// The length of a body is stated, and no more than that arrives.
+fn is_bounded(request: &Request<Body>, most: usize) -> Result<(), Refusal> {
     let stated: Option<usize> =
         request.headers().get(header::CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse().ok());
-    let Some(length) = stated else { return Err(refuse(StatusCode::LENGTH_REQUIRED, "length")) };
-    if length > most {
-        return Err(refuse(StatusCode::PAYLOAD_TOO_LARGE, "large"));
-    }
-    let share = u32::try_from(length / 1024 + 1).unwrap_or(u32::MAX);
-    let read = async {
-        let permit = server.bodies.acquire_many(share).await.ok()?;
-        let bytes = to_bytes(request.into_body(), most).await.ok()?;
-        let value = serde_json::from_slice(&bytes);
-        drop(permit);
-        Some(value)
-    };
-    match timeout(ARRIVES, read).await {
-        Ok(Some(Ok(value))) => Ok(value),
-        Ok(Some(Err(_))) => Err(refuse(StatusCode::BAD_REQUEST, "body")),
-        Ok(None) => Err(refuse(StatusCode::BAD_REQUEST, "body")),
-        Err(_) => Err(refuse(StatusCode::REQUEST_TIMEOUT, "slow")),
+    match stated {
+        None => Err(refuse(StatusCode::LENGTH_REQUIRED, "length")),
+        Some(length) if length > most => Err(refuse(StatusCode::PAYLOAD_TOO_LARGE, "large")),
+        Some(_) => Ok(()),
     }
 }

@@ -1,7 +1,9 @@
 //! Holders of tokens, as arguments of routes.
 
 use super::answer::{Refusal, refuse};
-use super::state::Server;
+use super::guard;
+use super::limits::Network;
+use super::state::{Peer, Server};
 use crate::class::{Class, Holder};
 use axum::extract::FromRequestParts;
 use axum::http::request::Parts;
@@ -16,6 +18,9 @@ pub struct Student(pub Arc<Class>, pub u32);
 
 /// Any student of a class, without a seat.
 pub struct Someone(pub Arc<Class>);
+
+/// The network from which a request comes.
+pub struct Origin(pub Network);
 
 async fn holder(parts: &Parts, server: &Server) -> Result<Holder, Refusal> {
     let token = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok()?.strip_prefix("Bearer "));
@@ -60,5 +65,14 @@ impl FromRequestParts<Arc<Server>> for Someone {
             Holder::Survey(class) => Ok(Self(class)),
             _ => Err(other()),
         }
+    }
+}
+
+impl FromRequestParts<Arc<Server>> for Origin {
+    type Rejection = Refusal;
+
+    async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
+        let Some(peer) = parts.extensions.get::<Peer>() else { return Err(refuse(StatusCode::FORBIDDEN, "place")) };
+        Ok(Self(guard::client(&parts.headers, *peer, &server.place).into()))
     }
 }

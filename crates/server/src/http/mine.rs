@@ -50,7 +50,7 @@ pub async fn file(
     Student(class, _): Student,
     Path(name): Path<String>,
 ) -> Result<Response, Refusal> {
-    let page = server.pages.file(&name, &server.place.address, class.code());
+    let page = server.pages.file(&name, &server.place.address, &class.code());
     let Some(page) = page else { return Err(refuse(StatusCode::NOT_FOUND, "missing")) };
     Ok(([(header::CONTENT_TYPE, "text/html; charset=utf-8")], page).into_response())
 }

@@ -14,6 +14,7 @@ mod answer;
 mod gate;
 mod guard;
 mod holders;
+mod limits;
 mod mine;
 mod routes;
 mod state;

@@ -29,6 +29,8 @@ impl Server {
             .route("/api/teacher/settings", post(teacher::set))
             .route("/api/teacher/approve", post(teacher::approve))
             .route("/api/teacher/erase", post(teacher::erase))
+            .route("/api/teacher/erase-unused", post(teacher::erase_unused))
+            .route("/api/teacher/renew-code", post(teacher::renew_code))
             .route("/api/teacher/events", get(stream::poll))
             .route("/api/teacher/stream", get(stream::of_teacher))
             .route("/api/teacher/hand-in/{seat}/{document}", get(teacher::hand_in))

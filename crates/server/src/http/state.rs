@@ -1,15 +1,12 @@
 //! A server with its classes, pages and limits.
 
 use super::gate::Gate;
+use super::limits::Limits;
 use super::tally::Tallies;
 use crate::class::Classes;
 use crate::pages::Pages;
 use std::net::IpAddr;
 use std::sync::Arc;
-use tokio::sync::Semaphore;
-
-/// Sum of the bodies that are read at the same time, in KiB.
-const BODIES: usize = 96 << 10;
 
 /// Where and how the server is reached.
 #[derive(Clone, Debug)]
@@ -49,15 +46,15 @@ pub struct Server {
     pub(super) pages: Pages,
     pub(super) place: Place,
     pub(super) gate: Gate,
-    pub(super) bodies: Semaphore,
+    pub(super) limits: Limits,
     pub(super) tallies: Tallies,
 }
 
 impl Server {
     /// A server of these classes.
     pub fn new(classes: Classes, pages: Pages, place: Place) -> Arc<Self> {
-        let (gate, tallies) = (Gate::default(), Tallies::default());
-        Arc::new(Self { classes, pages, place, gate, bodies: Semaphore::new(BODIES), tallies })
+        let (gate, limits, tallies) = (Gate::default(), Limits::default(), Tallies::default());
+        Arc::new(Self { classes, pages, place, gate, limits, tallies })
     }
 
     /// Where and how the server is reached.

@@ -1,7 +1,7 @@
 //! Streams of events, resumed by number, and polling where a proxy swallows streams.
 
 use super::answer::{self, Refusal};
-use super::holders::{Student, Teacher};
+use super::holders::{Origin, Student, Teacher};
 use super::state::Server;
 use super::student;
 use crate::class::Class;
@@ -56,18 +56,26 @@ async fn changed<T>(receiver: &mut watch::Receiver<T>) -> Option<bool> {
 }
 
 /// State of the class for a student: at once, and after each change.
-pub async fn of_student(Student(class, seat): Student) -> Response {
+///
+/// # Errors
+/// The seat or its network follows as many streams as it may; the page asks for the state from time to time then.
+pub async fn of_student(
+    State(server): State<Arc<Server>>,
+    Student(class, seat): Student,
+    Origin(network): Origin,
+) -> Result<Response, Refusal> {
+    let place = server.limits.stream((class.id().to_owned(), seat), network).ok_or(answer::MANY)?;
     let mut receiver = class.follow_settings();
     receiver.mark_changed();
-    events(stream::unfold((class, receiver), move |(class, mut receiver)| async move {
+    Ok(events(stream::unfold((class, receiver, place), move |(class, mut receiver, place)| async move {
         if !changed(&mut receiver).await? {
             // The seat may have been erased.
             class.seat(seat)?;
-            return Some((Ok(Bytes::from_static(b":\n\n")), (class, receiver)));
+            return Some((Ok(Bytes::from_static(b":\n\n")), (class, receiver, place)));
         }
         let state = student::state_of(&class, seat)?;
-        Some((Ok(message(None, &state)), (class, receiver)))
-    }))
+        Some((Ok(message(None, &state)), (class, receiver, place)))
+    })))
 }
 
 /// Events after a number, and the seats.
@@ -92,21 +100,31 @@ fn line(event: &EventRow) -> Value {
 }
 
 /// Events of the class for the teacher.
-pub async fn of_teacher(State(server): State<Arc<Server>>, Teacher(class): Teacher, address: Uri) -> Response {
+///
+/// # Errors
+/// The teachers of the class follow as many streams as they may; the page polls then.
+pub async fn of_teacher(
+    State(server): State<Arc<Server>>,
+    Teacher(class): Teacher,
+    Origin(network): Origin,
+    address: Uri,
+) -> Result<Response, Refusal> {
+    let place = server.limits.stream((class.id().to_owned(), 0), network).ok_or(answer::MANY)?;
     let since = number(&address, "since");
     let mut receiver = class.follow_events();
     receiver.mark_changed();
-    events(stream::unfold((server, class, receiver, since), |(server, class, mut receiver, since)| async move {
+    let from = (server, class, receiver, since, place);
+    Ok(events(stream::unfold(from, |(server, class, mut receiver, since, place)| async move {
         if !changed(&mut receiver).await? {
-            return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, since)));
+            return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, since, place)));
         }
         sleep(PAUSE).await;
         let (last, is_whole, news) = news(&class, server.classes.store(), since).await.ok()?;
         if !is_whole {
             receiver.mark_changed();
         }
-        Some((Ok(message(Some(last), &news)), (server, class, receiver, last)))
-    }))
+        Some((Ok(message(Some(last), &news)), (server, class, receiver, last, place)))
+    })))
 }
 
 /// News as one message instead of a stream, after a wait of at most `wait` seconds.

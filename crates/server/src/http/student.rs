@@ -1,20 +1,18 @@
 //! Routes for students.
 
 use super::answer::{self, LARGEST, Refusal, refuse};
-use super::guard;
-use super::holders::{Someone, Student};
-use super::state::{Peer, Server};
-use crate::class::Class;
+use super::holders::{Origin, Someone, Student};
+use super::state::Server;
+use crate::class::{Class, NotJoined};
 use crate::codes;
 use crate::fold::{PART, Part};
 use crate::store::{Fault, NewEvent};
 use crate::time::now;
-use axum::Extension;
 use axum::body::Body;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Redirect, Response};
-use saved::survey::LONGEST_SHEET;
+use saved::survey::{LONGEST_SHEET, Sheet};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use serde_json::{Value, json};
@@ -22,8 +20,6 @@ use std::sync::Arc;
 
 /// Maximum number of events in one request.
 const MOST_EVENTS: usize = 5000;
-/// Maximum size of the other bodies, in bytes.
-const SMALL: usize = 1 << 12;
 
 /// List of the documents, or the only one. The fragment with the code of a class goes along.
 pub async fn index(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
@@ -54,23 +50,30 @@ struct Join {
 /// Exchanges a code for a token.
 pub async fn join(
     State(server): State<Arc<Server>>,
-    peer: Option<Extension<Peer>>,
+    Origin(network): Origin,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
-    let Some(Extension(peer)) = peer else { return Err(refuse(StatusCode::FORBIDDEN, "place")) };
-    let address = guard::client(request.headers(), peer, &server.place);
-    let Join { code } = answer::body(&server, request, SMALL).await?;
-    let Some(pass) = server.gate.enter(address).await else {
+    let Join { code } = answer::small(request).await?;
+    let Some(pass) = server.gate.enter(network.0).await else {
         return Err(refuse(StatusCode::TOO_MANY_REQUESTS, "wait"));
     };
-    match server.classes.join(&code).await {
-        Ok(Some(joined)) => Ok(answer::json(joined)),
-        Ok(None) => {
-            server.gate.count_wrong(address);
+    if !server.limits.join(network) {
+        return Err(answer::MANY);
+    }
+    let joined = server.classes.join(&code, now()).await;
+    if joined.is_err() {
+        server.limits.unjoin(network);
+    }
+    match joined {
+        Ok(joined) => Ok(answer::json(joined)),
+        Err(NotJoined::Wrong) => {
+            server.gate.count_wrong(network.0);
             let status = if pass.is_limited() { StatusCode::TOO_MANY_REQUESTS } else { StatusCode::NOT_FOUND };
             Err(refuse(status, "code"))
         }
-        Err(fault) => Err(fault.into()),
+        Err(NotJoined::Closed) => Err(refuse(StatusCode::FORBIDDEN, "closed")),
+        Err(NotJoined::Full) => Err(refuse(StatusCode::FORBIDDEN, "full")),
+        Err(NotJoined::Store(fault)) => Err(fault.into()),
     }
 }
 
@@ -106,6 +109,7 @@ struct Batch {
 pub async fn events(
     State(server): State<Arc<Server>>,
     Student(class, seat): Student,
+    Origin(network): Origin,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let at = now();
@@ -115,7 +119,8 @@ pub async fn events(
     if !class.settings().accepts(at) {
         return Err(refuse(StatusCode::FORBIDDEN, "closed"));
     }
-    let Batch { events } = answer::body(&server, request, LARGEST).await?;
+    let room = server.limits.body(Some((class.id().to_owned(), seat)), network);
+    let Batch { events } = answer::large(room, request, LARGEST).await?;
     let events: Option<Vec<NewEvent>> = events.into_iter().map(|event| event.checked(&server)).collect();
     let Some(events) = events.filter(|events| (1..=MOST_EVENTS).contains(&events.len())) else {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
@@ -159,11 +164,16 @@ pub async fn others(State(server): State<Arc<Server>>, Student(class, seat): Stu
 pub async fn survey(
     State(server): State<Arc<Server>>,
     Someone(class): Someone,
+    Origin(network): Origin,
     Path(number): Path<String>,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
-    let sheet: Box<RawValue> = answer::body(&server, request, LONGEST_SHEET).await?;
+    let room = server.limits.body(None, network);
+    let sheet: Box<RawValue> = answer::large(room, request, LONGEST_SHEET).await?;
     let sheet = sheet.get().to_owned();
+    if Sheet::read(&sheet).is_err() {
+        return Err(refuse(StatusCode::BAD_REQUEST, "body"));
+    }
     server.classes.store().add_sheet(class.id().to_owned(), codes::identifier(&number), sheet).await?;
     Ok(answer::json(json!({})))
 }

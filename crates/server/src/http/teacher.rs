@@ -15,9 +15,6 @@ use serde::Deserialize;
 use serde_json::json;
 use std::sync::Arc;
 
-/// Maximum size of a body, in bytes.
-const SMALL: usize = 1 << 12;
-
 /// The dashboard.
 pub async fn page(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
     server.pages.teacher().respond(&headers)
@@ -30,7 +27,7 @@ struct Link {
 
 /// Exchanges the one-time link for a token.
 pub async fn exchange(State(server): State<Arc<Server>>, request: Request<Body>) -> Result<Response, Refusal> {
-    let Link { link } = answer::body(&server, request, SMALL).await?;
+    let Link { link } = answer::small(request).await?;
     match server.classes.exchange(&link).await? {
         Some(token) => Ok(answer::json(json!({ "token": token }))),
         None => Err(refuse(StatusCode::FORBIDDEN, "link")),
@@ -39,9 +36,9 @@ pub async fn exchange(State(server): State<Arc<Server>>, request: Request<Body>)
 
 /// The class.
 pub async fn class(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Response {
-    let documents = server.pages.names();
+    let (documents, code) = (server.pages.names(), class.code());
     answer::json(json!({
-        "title": class.title(), "code": class.code(), "address": server.place.address, "qr": qr::svg(&server.place.join_address(class.code())), "expires": class.expires(),
+        "title": class.title(), "code": code, "address": server.place.address, "qr": qr::svg(&server.place.join_address(&code)), "expires": class.expires(),
         "documents": documents, "sources": server.pages.sources(), "settings": class.settings(), "now": now(),
     }))
     .into_response()
@@ -53,7 +50,7 @@ pub async fn set(
     Teacher(class): Teacher,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
-    let settings: Settings = answer::body(&server, request, SMALL).await?;
+    let settings: Settings = answer::small(request).await?;
     if settings.pace.as_ref().is_some_and(|name| server.pages.document(name).is_none()) {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
     }
@@ -72,7 +69,7 @@ pub async fn approve(
     Teacher(class): Teacher,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
-    let OfSeat { seat } = answer::body(&server, request, SMALL).await?;
+    let OfSeat { seat } = answer::small(request).await?;
     server.classes.approve(&class, seat).await?;
     Ok(answer::json(json!({})))
 }
@@ -83,8 +80,20 @@ pub async fn erase(
     Teacher(class): Teacher,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
-    let OfSeat { seat } = answer::body(&server, request, SMALL).await?;
+    let OfSeat { seat } = answer::small(request).await?;
     server.classes.erase(&class, seat).await?;
+    Ok(answer::json(json!({})))
+}
+
+/// Erases the seats that have handed in nothing.
+pub async fn erase_unused(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Result<Response, Refusal> {
+    server.classes.erase_unused(&class).await?;
+    Ok(answer::json(json!({})))
+}
+
+/// Gives the class another code.
+pub async fn renew_code(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Result<Response, Refusal> {
+    server.classes.renew_code(&class).await?;
     Ok(answer::json(json!({})))
 }
 

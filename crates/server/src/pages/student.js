@@ -215,7 +215,7 @@
       const response = await ask("/api/join", { body: JSON.stringify({ code }) });
       if (!response.ok) {
         const reason = await why(response);
-        said = response.status === 429 ? words().code_wait : reason === "code" ? words().code_wrong : words().unreachable;
+        said = ["closed", "full", "many"].includes(reason) ? words()[reason] : response.status === 429 ? words().code_wait : reason === "code" ? words().code_wrong : words().unreachable;
         return show();
       }
       seat = await response.json();

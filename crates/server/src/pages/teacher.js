@@ -99,6 +99,18 @@
   const post = async (path, seat) => {
     try { await ask(path, { body: JSON.stringify({ seat }) }); } catch { said = words().lost; show(); }
   };
+  const renew = async () => {
+    const response = confirm(words().new_code_sure) && await ask("/api/teacher/renew-code", { body: "{}" });
+    const news = response && response.ok && await ask("/api/teacher/class");
+    if (!news || !news.ok) return;
+    about = await news.json();
+    built = "";
+    show();
+  };
+  const eraseUnused = async () => {
+    if (confirm(words().erase_unused_sure)) await ask("/api/teacher/erase-unused", { body: "{}" });
+  };
+  const failed = () => { said = words().lost; show(); };
   // Address, code and QR code with which students join.
   const way = () => {
     const picture = make("div", { className: "qr" });
@@ -120,7 +132,7 @@
   const first = make("div", { id: "class-first" });
   const dashboard = make("button", { type: "button", onclick: () => dispatchEvent(new Event("class-open")) });
   const list = make("ul", { className: "seats" });
-  const boxes = [["open", "open"], ["paused", "pause"], ["approve", "approve_late"], ["results", "results"], ["others", "others_after"]];
+  const boxes = [["open", "open"], ["paused", "pause"], ["joining", "joining_open"], ["approve", "approve_late"], ["results", "results"], ["others", "others_after"]];
   const inputs = {};
   const pace = make("select", { onchange: () => set({ pace: pace.value || null }) });
   const minutes = make("input", { type: "number", min: 0, className: "minutes", onchange: () => set({ closes: minutes.value ? Date.now() + skew + 60000 * minutes.value : null }) });
@@ -170,8 +182,8 @@
       make("span", {}, `${own.address} `, make("b", { textContent: about.address }), ` ${own.with} `, make("b", { className: "key", textContent: about.code })),
       button(own.qr, large), dashboard, count, status, first,
       fold("class-settings", own.settings, innerWidth >= 760, make("div", {}, ...choices, make("label", {}, own.pace_at, pace),
-        make("label", {}, own.close_in, minutes), button(own.sheets, () => sheets().catch(() => { said = own.lost; show(); })))),
-      fold("class-seats", own.seats, false, list));
+        make("label", {}, own.close_in, minutes), button(own.new_code, () => renew().catch(failed)), button(own.sheets, () => sheets().catch(failed)))),
+      fold("class-seats", own.seats, false, button(own.erase_unused, () => eraseUnused().catch(failed)), list));
   };
   const start = async () => {
     classBar.begin(show);

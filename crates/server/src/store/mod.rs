@@ -127,6 +127,14 @@ impl Store {
         of!(self, exchange(link, token))
     }
 
+    /// Changes the code of a class.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn set_code(&self, class: String, code: String) -> Result<(), Fault> {
+        of!(self, set_code(class, code))
+    }
+
     /// Lets a student in.
     ///
     /// # Errors
@@ -237,12 +245,12 @@ impl Store {
         of!(self, sheets(class))
     }
 
-    /// Erases a seat. Only its number stays, so that no backup brings it back.
+    /// Erases seats. Only their numbers stay, so that no backup brings them back.
     ///
     /// # Errors
     /// There is no such seat, or the store cannot be written.
-    pub async fn erase_seat(&self, class: String, seat: u32) -> Result<(), Fault> {
-        of!(self, erase_seat(class, seat))
+    pub async fn erase_seats(&self, class: String, seats: Vec<u32>) -> Result<(), Fault> {
+        of!(self, erase_seats(class, seats))
     }
 
     /// Erases a class with everything in it.

@@ -39,7 +39,7 @@ fn a_class_takes_so_many_answers_to_surveys_and_says_when_it_is_full() {
     Cluster::shared().sql(storage.name(), &rows);
     let send = |number: &str| {
         let path = format!("/api/survey/{number}");
-        running.post(&path, text(&joined, "survey"), &json!({ "meniscus survey": 1 }))
+        running.post(&path, text(&joined, "survey"), &json!({ "meniscus survey": 1, "items": [] }))
     };
     assert_eq!(send("1-1").status, 200);
     assert_eq!(send("2-2").why(), (413, "full".to_owned()));
@@ -246,7 +246,7 @@ fn outboxes_empty_themselves_when_the_database_is_restarted() {
     let storage = Storage::in_cluster(&cluster);
     let servers = [(); 2].map(|()| Running::start(&storage.location));
     let teacher = servers[0].teacher();
-    let tokens: Vec<(u64, String)> = (0..8).map(|_| join(servers[0].address, servers[0].class.code())).collect();
+    let tokens: Vec<(u64, String)> = (0..8).map(|_| join(servers[0].address, &servers[0].class.code())).collect();
     let acknowledged: Mutex<BTreeSet<(u64, u64)>> = Mutex::default();
     let (ends, refused) = (AtomicBool::new(false), AtomicBool::new(false));
     std::thread::scope(|scope| {

@@ -78,7 +78,7 @@ fn tokens_open_their_own_class_and_seat_alone(storage: &Storage) {
         assert_eq!(running.get(&path, "").why(), (401, "token".to_owned()), "{path}");
         assert_eq!(running.get(&path, &"A".repeat(43)).status, 401, "{path}");
     }
-    for path in ["settings", "approve", "erase"] {
+    for path in ["settings", "approve", "erase", "erase-unused", "renew-code"] {
         let path = format!("/api/teacher/{path}");
         assert_eq!(running.post(&path, &student, &json!({ "seat": 1 })).status, 403, "{path}");
     }
@@ -178,6 +178,36 @@ fn bodies_are_bounded() {
         }
     }
     assert_eq!(status, 413);
+}
+
+#[test]
+fn a_student_who_claims_large_bodies_keeps_nobody_waiting() {
+    let storage = Storage::file();
+    let running = Running::start(&storage.location);
+    let [idle, other] = [(); 2].map(|()| running.join()["token"].as_str().unwrap().to_owned());
+    let claim = || {
+        let mut stream = TcpStream::connect(running.address).unwrap();
+        let head = format!(
+            "POST /api/events HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nAuthorization: Bearer {idle}\r\nContent-Length: {LARGEST}\r\n\r\n"
+        );
+        stream.write_all(head.as_bytes()).unwrap();
+        stream
+    };
+    let mut claims: Vec<TcpStream> = (0..13).map(|_| claim()).collect();
+    // A seat sends two at the same time; whichever they are, the others are refused at once.
+    let refused = claims.iter_mut().filter(|stream| {
+        stream.set_nonblocking(true).unwrap();
+        (0..1000).any(|_| {
+            std::thread::sleep(std::time::Duration::from_millis(1));
+            stream.peek(&mut [0]).is_ok()
+        })
+    });
+    assert_eq!(refused.count(), 11);
+    let large =
+        json!({ "events": [{ "seq": 1, "document": "tube.md", "part": "state", "value": "x".repeat(4 << 20) }] });
+    running.post("/api/events", &other, &large).ok();
+    running.join();
+    assert_eq!(running.post("/api/events", &idle, &large).why(), (429, "many".to_owned()));
 }
 
 #[test]

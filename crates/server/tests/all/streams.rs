@@ -9,6 +9,7 @@ use std::time::Duration;
 
 cases!(
     a_stream_of_the_teacher_goes_on_where_it_ended,
+    a_seat_has_three_streams_at_the_same_time,
     a_stream_of_a_student_follows_the_settings_and_ends_with_the_seat,
 );
 
@@ -68,6 +69,24 @@ fn a_stream_of_the_teacher_goes_on_where_it_ended(storage: &Storage) {
     let events = stream.next().unwrap()["events"].clone();
     let numbers: Vec<u64> = events.as_array().unwrap().iter().map(|event| event["number"].as_u64().unwrap()).collect();
     assert_eq!(numbers, [7, 8, 9, 10, 11, 12]);
+}
+
+fn a_seat_has_three_streams_at_the_same_time(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let [one, other] = [(); 2].map(|()| running.join()["token"].as_str().unwrap().to_owned());
+    let open = |token: &str| Stream::open(&running, "/api/stream", token).0;
+    let mut held: Vec<Stream> = (0..3).map(|_| open(&one)).collect();
+    assert_eq!(running.get("/api/stream", &one).why(), (429, "many".to_owned()));
+    // The page asks for the state instead, and other seats have streams of their own.
+    running.get("/api/state", &one).ok();
+    assert!(open(&other).next().is_some());
+    // A stream that ends gives its place back, as soon as the server notices.
+    held.pop();
+    let opens = || Stream::open(&running, "/api/stream", &one).1.starts_with("http/1.1 200");
+    assert!((0..1000).any(|_| {
+        std::thread::sleep(Duration::from_millis(10));
+        opens()
+    }));
 }
 
 fn a_stream_of_a_student_follows_the_settings_and_ends_with_the_seat(storage: &Storage) {

@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 
 cases!(
     a_closed_class_accepts_nothing_until_it_is_opened,
+    nobody_takes_a_seat_while_the_class_is_closed_or_gives_none,
+    a_new_code_closes_the_former_one_and_keeps_the_seats,
+    seats_without_work_are_erased_and_no_others,
     late_joiners_wait_for_the_teacher,
     others_answers_are_seen_after_ones_own_and_only_if_shown,
     settings_outlive_the_server,
@@ -30,6 +33,52 @@ fn a_closed_class_accepts_nothing_until_it_is_opened(storage: &Storage) {
     assert_eq!(send(10), (403, "closed".to_owned()));
     set(json!({ "open": true, "closes": server::now() + 60_000 }));
     assert_eq!(send(10).0, 200);
+}
+
+fn nobody_takes_a_seat_while_the_class_is_closed_or_gives_none(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let (joined, teacher) = (running.join(), running.teacher());
+    let set = |settings: Value| drop(running.post("/api/teacher/settings", &teacher, &settings).ok());
+    let join = |code: &str| running.post("/api/join", "", &json!({ "code": code })).why();
+    for (settings, why) in [
+        (json!({ "open": false }), "closed"),
+        (json!({ "closes": server::now() }), "closed"),
+        (json!({ "joining": false }), "full"),
+    ] {
+        set(settings);
+        assert_eq!(join(&running.class.code()), (403, why.to_owned()));
+        // A seat takes another device, on which its student sees and erases what is stored.
+        assert_eq!(join(joined["key"].as_str().unwrap()).0, 200);
+    }
+    set(json!({}));
+    assert_eq!(join(&running.class.code()).0, 200);
+    assert_eq!(running.class.seats().len(), 2);
+}
+
+fn a_new_code_closes_the_former_one_and_keeps_the_seats(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let (joined, teacher, former) = (running.join(), running.teacher(), running.class.code());
+    running.post("/api/teacher/renew-code", &teacher, &json!({})).ok();
+    assert_eq!(running.post("/api/join", "", &json!({ "code": former })).why(), (404, "code".to_owned()));
+    assert_eq!(running.get("/api/teacher/class", &teacher).ok()["code"], json!(running.class.code()));
+    running.get("/api/state", token(&joined)).ok();
+    running.join();
+    let code = running.class.code();
+    drop(running);
+    assert_eq!(Running::start(&storage.location).class.code(), code);
+}
+
+fn seats_without_work_are_erased_and_no_others(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let ([worked, idle], teacher) = ([(); 2].map(|()| running.join()), running.teacher());
+    running.post("/api/events", token(&worked), &json!({ "events": parts(1, "1", "wrong") })).ok();
+    running.post("/api/teacher/erase-unused", &teacher, &json!({})).ok();
+    assert_eq!(running.get("/api/state", token(&idle)).status, 401);
+    assert_eq!(running.get("/api/mine", token(&worked)).ok()["events"].as_array().unwrap().len(), 6);
+    assert_eq!(running.class.seats().len(), 1);
+    // Without such seats nothing happens, and new ones have new numbers.
+    running.post("/api/teacher/erase-unused", &teacher, &json!({})).ok();
+    assert_eq!(running.join()["seat"], 3);
 }
 
 fn late_joiners_wait_for_the_teacher(storage: &Storage) {

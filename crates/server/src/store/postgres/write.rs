@@ -46,6 +46,10 @@ WITH used AS (DELETE FROM link WHERE hash = $1 AND made >= now() - interval '1 d
   added AS (INSERT INTO token SELECT $2::bytea, class, 0 FROM used)
 INSERT INTO change(class, seat) SELECT class, 0 FROM used RETURNING class";
 
+const SET_CODE: &str = "
+WITH own AS (UPDATE class SET code = $2 WHERE class = $1 RETURNING class)
+INSERT INTO change(class, seat) SELECT class, 0 FROM own";
+
 const APPROVE: &str = "
 WITH own AS (UPDATE seat SET approved = 1 WHERE class = $1 AND seat = $2 RETURNING seat)
 INSERT INTO change(class, seat) SELECT $1, seat FROM own";
@@ -131,6 +135,10 @@ impl Postgres {
         rows.first().map(|row| value(row, 0)).transpose()
     }
 
+    pub async fn set_code(&self, class: String, code: String) -> Result<(), Fault> {
+        self.change(SET_CODE, vec![given(class), given(code)]).await.map(drop)
+    }
+
     pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {
         self.change(APPROVE, vec![given(class), given(i64::from(seat))]).await.map(drop)
     }
@@ -179,8 +187,10 @@ impl Postgres {
         if value(&row, 0)? { Ok(()) } else { Err(Fault::SheetsFull) }
     }
 
-    pub async fn erase_seat(&self, class: String, seat: u32) -> Result<(), Fault> {
-        only(self.change(ERASE_SEAT, vec![given(class), given(i64::from(seat))]).await?)?;
+    pub async fn erase_seats(&self, class: String, seats: Vec<u32>) -> Result<(), Fault> {
+        for seat in seats {
+            only(self.change(ERASE_SEAT, vec![given(class.clone()), given(i64::from(seat))]).await?)?;
+        }
         self.vacuum().await
     }
 

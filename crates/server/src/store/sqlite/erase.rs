@@ -5,8 +5,8 @@ use super::Sqlite;
 use rusqlite::{Connection, params};
 
 impl Sqlite {
-    pub async fn erase_seat(&self, class: String, seat: u32) -> Result<(), Fault> {
-        self.change(move |connection| erase_seat(connection, &class, seat)).await?;
+    pub async fn erase_seats(&self, class: String, seats: Vec<u32>) -> Result<(), Fault> {
+        self.change(move |connection| seats.iter().try_for_each(|&seat| erase_seat(connection, &class, seat))).await?;
         self.empty_log().await
     }
 

@@ -78,6 +78,14 @@ impl Sqlite {
         Ok(Some(class))
     }
 
+    pub async fn set_code(&self, class: String, code: String) -> Result<(), Fault> {
+        self.change(move |connection| {
+            connection.execute("UPDATE class SET code=? WHERE class=?", params![code, class])?;
+            Ok(())
+        })
+        .await
+    }
+
     pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {
         self.change(move |connection| {
             connection.execute("UPDATE seat SET approved=1 WHERE class=? AND seat=?", params![class, seat])?;

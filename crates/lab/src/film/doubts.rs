@@ -4,6 +4,7 @@ use super::frames::go;
 use super::now::now;
 use super::words;
 use crate::app::App;
+use desk::Subject;
 use film::tracking::{Doubt, DoubtfulFrame};
 use view::pieces::icons;
 use view::views::*;
@@ -51,10 +52,12 @@ pub fn next(app: App) {
 pub fn list(app: App) -> View {
     let words = words::of(app);
     changing(move || {
-        let doubts = app.films.now.with(|now| now.as_ref().map(|now| now.doubts.clone()).unwrap_or_default());
+        let now = app.films.now;
+        let doubts = now.with(|now| now.as_ref().map(|now| now.doubts.clone()).unwrap_or_default());
         if doubts.is_empty() {
             return View::new();
         }
+        let is_surface = now.with(|now| now.as_ref().is_some_and(|now| matches!(now.subject, Subject::Surfaces(_))));
         let language = app.language.get_untracked();
         // A lost track affects all that follows, and is always listed.
         let (lost, others): (Vec<DoubtfulFrame>, Vec<_>) =
@@ -70,7 +73,7 @@ pub fn list(app: App) -> View {
             .class("film-doubts")
             .child(p().child(head))
             .child(ul().each(named, |one| one))
-            .child(note(words.doubts_note))
+            .child(note(if is_surface { words.doubts_note } else { words.doubts_note_bodies }))
             .into()
     })
 }

@@ -140,6 +140,7 @@ table_of_words! {
     no_record: "The record appears here once something has been clicked.";
     doubtful: "Doubtful frames";
     doubts_note: "The period key leads from one to the next. Drag the curve under the film where it is wrong.";
+    doubts_note_bodies: "The period key leads from one to the next. Click the body again where it is lost or wrong.";
     fit: "Fit";
     show_record: "Show the record";
 }

@@ -19,11 +19,13 @@ pub mod fold;
 pub mod http;
 pub mod listen;
 pub mod pages;
+mod private;
 pub mod pseudonyms;
 pub mod qr;
 pub mod store;
 mod texts;
 mod time;
 
+pub use private::write_private_files;
 pub use store::{Fault, Store};
 pub use time::now;

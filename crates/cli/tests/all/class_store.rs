@@ -55,15 +55,25 @@ fn a_store_is_exported_backed_up_erased_and_restored() {
         texts
     };
     assert_eq!(run(&["export", "--store", file, "--output", out]), "files written: 3\n");
+    #[cfg(unix)]
+    assert_eq!(mode(out), 0o700);
     let before = texts();
     assert!(before[0].contains("# first") && before[1].contains("# second") && before[2] == "{}", "{before:?}");
     run(&["backup", "--store", file, "--output", backup]);
+    #[cfg(unix)]
+    assert_eq!(mode(backup), 0o600);
     run(&["erase", "--store", file, "--seat", "1"]);
     assert_eq!(run(&["restore", backup, "--store", file]), "parts restored: 0\n");
     run(&["export", "--store", file, "--output", out]);
     assert_eq!(texts(), before[1..]);
     run(&["erase", "--store", file, "--all"]);
     assert_eq!(meniscus(&["class", "export", "--store", file, "--output", out]).code, 2);
+}
+
+/// Permissions of a file or folder.
+#[cfg(unix)]
+fn mode(path: &str) -> u32 {
+    std::os::unix::fs::PermissionsExt::mode(&std::fs::metadata(path).unwrap().permissions()) & 0o777
 }
 
 /// A store with two classes: the second one is the latest.

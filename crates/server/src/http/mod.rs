@@ -3,6 +3,7 @@
 //! | path | for | content |
 //! |---|---|---|
 //! | `/`, `/d/NAME`, `/stored` | everyone | list of the documents, a document, *What is stored* |
+//! | `/health` | programs that watch the server | the store can be read |
 //! | `/api/join` | everyone | a code for a token |
 //! | `/api/state`, `/api/stream`, `/api/events`, `/api/mine`, `/api/erase`, `/api/others`, `/api/file/NAME` | students | settings, hand-ins, own data |
 //! | `/api/survey/{number}` | students, without their seat | answers to surveys |
@@ -13,6 +14,7 @@
 mod answer;
 mod gate;
 mod guard;
+mod health;
 mod holders;
 mod limits;
 mod mine;

@@ -1,7 +1,7 @@
 //! The routes and the guards before them.
 
 use super::state::Server;
-use super::{guard, mine, stream, student, teacher};
+use super::{guard, health, mine, stream, student, teacher};
 use axum::Router;
 use axum::middleware;
 use axum::routing::{get, post};
@@ -40,6 +40,7 @@ impl Server {
             .route("/", get(student::index))
             .route("/d/{name}", get(student::document))
             .route("/stored", get(student::stored))
+            .route("/health", get(health::health))
             .merge(students)
             .merge(teacher)
             .layer(middleware::from_fn_with_state(self.clone(), guard::host))

@@ -112,6 +112,7 @@ fn others_answers_are_seen_after_ones_own_and_only_if_shown(storage: &Storage) {
 fn settings_outlive_the_server(storage: &Storage) {
     let (teacher, joined) = {
         let running = Running::start(&storage.location);
+        assert_eq!(running.get("/health", "").ok()["store"], "ok");
         let (teacher, joined) = (running.teacher(), running.join());
         running
             .post("/api/teacher/settings", &teacher, &json!({ "open": true, "paused": true, "pace": "a b.md" }))

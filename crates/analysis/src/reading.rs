@@ -157,7 +157,7 @@ impl Reading {
         })
     }
 
-    /// The same reading, with the order of day and month that a person stated.
+    /// Reading with the order of day and month that a person stated.
     pub fn with_dates(self, dates: Option<DateOrder>) -> Self {
         Self { dates, ..self }
     }

@@ -21,6 +21,8 @@ pub enum Refusal {
         name: String,
         /// Reason and remedy, in the chosen language.
         why: String,
+        /// True if nothing in it tells day and month of its dates apart: a person can state their order.
+        asks_dates: bool,
     },
     /// No smoothing polynomial exists for this window and degree.
     NoSuchPolynomial,
@@ -47,6 +49,11 @@ impl Refusal {
     /// No item of this number or name exists.
     pub(crate) fn unknown(name: impl ToString) -> Self {
         Self::Play(play::Refusal::Unknown { name: name.to_string() })
+    }
+
+    /// True if a file is read once a person has stated the order of day and month in its dates.
+    pub fn asks_dates(&self) -> bool {
+        matches!(self, Self::UnreadableRecord { asks_dates: true, .. })
     }
 }
 

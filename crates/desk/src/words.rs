@@ -131,7 +131,7 @@ impl Refusal {
             Self::Play(refusal) => play.basis().refusal_text(refusal),
             Self::TooManyRecords { most } => say!(language, "{most} records are open already; remove one first."),
             Self::RecordTooLong { most } => say!(language, "The page reads records of up to {most} MiB; the program reads longer ones."),
-            Self::UnreadableRecord { name, why } => {
+            Self::UnreadableRecord { name, why, .. } => {
                 say!(language, "{name} could not be read. {why}")
             }
             Self::NoSuchPolynomial => language

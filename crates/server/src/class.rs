@@ -54,7 +54,7 @@ pub struct Joined {
     pub approved: bool,
 }
 
-/// Reason why nobody has joined.
+/// Reason for the refusal of a join.
 #[derive(Debug)]
 pub enum NotJoined {
     /// There is no such code.
@@ -79,6 +79,7 @@ impl From<Fault> for NotJoined {
 /// A class.
 #[derive(Debug)]
 pub struct Class {
+    /// Row of the store, without the code, which the teacher can change.
     row: ClassRow,
     /// Present code.
     code: Mutex<String>,
@@ -294,7 +295,7 @@ impl Classes {
     }
 
     /// Reads a class into memory, unless another task has done so meanwhile.
-    async fn read(&self, row: ClassRow) -> Result<Arc<Class>, Fault> {
+    async fn read(&self, mut row: ClassRow) -> Result<Arc<Class>, Fault> {
         let id = row.class.clone();
         let (settings, set) = self.stored_settings(&id).await?;
         let seats = self.store.seats(id.clone()).await?;
@@ -303,7 +304,7 @@ impl Classes {
         let keys: Vec<(Hash, u32)> = seats.iter().map(|seat| (seat.key, seat.seat)).collect();
         let seats = seats.into_iter().map(|seat| (seat.seat, seat)).collect();
         let class = Arc::new(Class {
-            code: Mutex::new(row.code.clone()),
+            code: Mutex::new(std::mem::take(&mut row.code)),
             row,
             state: Mutex::new(State { seats, sizes }),
             settings: watch::channel(settings).0,

@@ -5,7 +5,7 @@ use super::clock::Clock;
 use super::opened::Opened;
 use film::calibration::{Calibration, Lengths};
 use film::table::{Quantity, Table};
-use film::tracking::{Doubt, DoubtfulFrame, Exposure, Known, Track, doubts};
+use film::tracking::{Exposure, Known, Track, doubts};
 use serde_json::{Map, Value, json};
 use units::{Language, Words};
 
@@ -29,8 +29,11 @@ pub fn object(
     let rows = tracks.iter().zip(&table.quantities).enumerate();
     let tracks: Vec<Value> = rows
         .map(|(number, (track, quantities))| {
-            let own: Vec<DoubtfulFrame> = doubtful.iter().filter(|one| one.track == number).copied().collect();
-            of_track(track, quantities, table, (&own, size))
+            let doubt = |frame: usize| {
+                let at = doubtful.binary_search_by_key(&(frame, number), |one| (one.frame, one.track));
+                at.ok().and_then(|at| doubtful.get(at)).map(|one| one.doubt.code())
+            };
+            of_track(track, quantities, table, (&doubt, size))
         })
         .collect();
     let object = json!({
@@ -52,7 +55,7 @@ fn of_track(
     track: &Track,
     quantities: &[Quantity],
     table: &Table,
-    (doubtful, size): (&[DoubtfulFrame], [f64; 2]),
+    (doubt, size): (&dyn Fn(usize) -> Option<&'static str>, [f64; 2]),
 ) -> Value {
     let rows = table.frames.iter().enumerate();
     let points = rows.filter_map(|(row, frame)| {
@@ -70,8 +73,7 @@ fn of_track(
         }
         add("score", json!(point.score));
         add("doubtful", json!(point.doubtful));
-        let doubt = doubtful.iter().find(|one| one.frame == *frame && !matches!(one.doubt, Doubt::Lost(_)));
-        add("doubt", json!(doubt.map(|one| one.doubt.code())));
+        add("doubt", json!(doubt(*frame)));
         Some(Value::Object(object))
     });
     let points: Vec<Value> = points.collect();

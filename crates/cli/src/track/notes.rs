@@ -3,7 +3,7 @@
 use film::calibration::Calibration;
 use film::table::Table;
 use film::timing::displayed;
-use film::tracking::Track;
+use film::tracking::{Track, of_several};
 use units::number::fixed;
 use units::{Words, words};
 
@@ -21,9 +21,7 @@ pub fn notes(
     let mut notes = Vec::new();
     for (number, track) in (1..).zip(tracks) {
         let found = of_track(track, table, (shown, size));
-        let named =
-            |words: Words| words!("track {number}: {what}", number = Words::same(number.to_string()), what = words);
-        notes.extend(found.into_iter().map(|words| if tracks.len() > 1 { named(words) } else { words }));
+        notes.extend(found.into_iter().map(|words| of_several(number, tracks.len(), words)));
     }
     notes.extend(calibration.notes());
     notes

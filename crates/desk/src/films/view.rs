@@ -14,7 +14,7 @@ use crate::number;
 use film::calibration::{Calibration, Lengths};
 use film::timing::displayed;
 use film::tracking::column::SpaceTimePicture;
-use film::tracking::{DoubtfulFrame, LossReason, Outline, Track, doubts, is_plainly_in_doubt};
+use film::tracking::{DoubtfulFrame, Outline, Track, doubts, is_plainly_in_doubt, of_several};
 use units::{Words, words};
 
 /// Open film, and the work on it.
@@ -58,10 +58,7 @@ impl<'a> ShownFilms<'a> {
             let loss = track.loss(size)?;
             let time = film.clip().times().get(loss.frame).copied().unwrap_or(f64::NAN);
             let what = loss.words(displayed(time));
-            let what = match tracks.len() {
-                1 => what,
-                _ => words!("track {number}: {what}", number = Words::same(number.to_string()), what = what),
-            };
+            let what = of_several(number, tracks.len(), what);
             Some(units::sentence(&what.text(self.play.basis().language())))
         });
         sentences.collect::<Vec<_>>().join(" ")
@@ -181,14 +178,6 @@ impl<'a> OpenFilm<'a> {
     /// True if a track was lost or has many doubtful frames: the user should check before the record is used.
     pub fn is_plainly_in_doubt(&self) -> bool {
         is_plainly_in_doubt(&self.work.tracks())
-    }
-
-    /// First frame without a body that is lost before its path ends: it is not found again and has not left the picture.
-    pub fn lost_from(self) -> Option<usize> {
-        let size = self.open.clip.size();
-        let tracks = self.work.tracks();
-        let losses = tracks.iter().filter_map(|track| track.loss(size));
-        losses.filter(|loss| loss.reason != LossReason::Left).map(|loss| loss.frame).min()
     }
 
     /// Space-time picture of a surface, once the film has been tracked since it was opened.

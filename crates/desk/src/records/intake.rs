@@ -10,7 +10,7 @@ use analysis::inspection::{Inspection, Inspector, doubtful_times, inspect};
 use analysis::reading::{self, Contents, Reading, ReadingError};
 use analysis::tracker::{Gathering, Project};
 use std::collections::{BTreeMap, BTreeSet};
-use units::sentence;
+use units::{Language, sentence};
 
 /// Progress of the import of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,12 +41,6 @@ impl ShownRecords<'_> {
         Some(RecordProgress { name: name.clone(), part })
     }
 
-    /// True if the last file was refused because day and month of its dates cannot be told apart: a person can state their
-    /// order.
-    pub fn asks_dates(self) -> bool {
-        self.records.asks_dates
-    }
-
     /// True if the file has been read and inspected, and the next call of [`crate::Desk::advance_record`] adds its record.
     pub fn is_read(self) -> bool {
         self.records.intake.as_ref().is_some_and(|intake| matches!(intake.stage, Stage::Known(..)))
@@ -66,14 +60,14 @@ impl Records {
         bytes: Vec<u8>,
         dates: Option<DateOrder>,
     ) -> Result<Changes, Refusal> {
-        (self.intake, self.asks_dates) = (None, false);
+        self.intake = None;
         if self.list.len() >= MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
         if bytes.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        let reading = Reading::new(bytes, LONGEST_TEXT).map_err(|error| self.unreadable(open, name, &error))?;
+        let reading = Reading::new(bytes, LONGEST_TEXT).map_err(|error| unreadable(name, &error, open.language()))?;
         let stage = Stage::Reading(Box::new(reading.with_dates(dates)));
         self.intake = Some(Intake { name: name.to_owned(), stage });
         Ok(Changes::NONE)
@@ -107,7 +101,7 @@ impl Records {
         let Some(Intake { name, stage }) = self.intake.take() else { return Ok((None, Changes::NONE)) };
         let stage = match stage {
             Stage::Reading(mut reading) => {
-                let finished = reading.advance(budget).map_err(|error| self.unreadable(open, &name, &error))?;
+                let finished = reading.advance(budget).map_err(|error| unreadable(&name, &error, open.language()))?;
                 if !finished {
                     Stage::Reading(reading)
                 } else if let Some(contents) = reading.finish() {
@@ -162,15 +156,14 @@ impl Records {
         Ok(self.take(open, name, contents, inspection, truth))
     }
 
-    fn read(&mut self, open: OpenDocument<'_>, name: &str, bytes: &[u8]) -> Result<Contents, Refusal> {
-        self.asks_dates = false;
+    fn read(&self, open: OpenDocument<'_>, name: &str, bytes: &[u8]) -> Result<Contents, Refusal> {
         if self.list.len() >= MOST_RECORDS {
             return Err(Refusal::TooManyRecords { most: MOST_RECORDS });
         }
         if bytes.len() > LONGEST_RECORD {
             return Err(Refusal::RecordTooLong { most: LONGEST_RECORD >> 20 });
         }
-        reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| self.unreadable(open, name, &error))
+        reading::read(bytes.to_vec(), LONGEST_TEXT).map_err(|error| unreadable(name, &error, open.language()))
     }
 
     /// Adds the contents of a file as one record, or as one record per run of a logger or data set.
@@ -257,18 +250,17 @@ impl Records {
         self.intake = None;
         Changes::NONE.announcing(Announcement::RecordCancelled(name.to_owned()))
     }
+}
 
-    fn unreadable(&mut self, open: OpenDocument<'_>, name: &str, error: &ReadingError) -> Refusal {
-        let language = open.language();
-        self.asks_dates = error.is_of_dates();
-        let hint = if self.asks_dates {
-            language.say("choose the order of day and month, or write the dates as 2026-01-02")
-        } else {
-            error.hint(language)
-        };
-        Refusal::UnreadableRecord {
-            name: name.to_owned(),
-            why: format!("{} {}", sentence(&error.message(language)), sentence(hint)),
-        }
+fn unreadable(name: &str, error: &ReadingError, language: Language) -> Refusal {
+    let asks_dates = error.is_of_dates();
+    let hint = match asks_dates {
+        true => language.say("choose the order of day and month, or write the dates as 2026-01-02"),
+        false => error.hint(language),
+    };
+    Refusal::UnreadableRecord {
+        name: name.to_owned(),
+        why: format!("{} {}", sentence(&error.message(language)), sentence(hint)),
+        asks_dates,
     }
 }

@@ -40,8 +40,6 @@ pub struct Records {
     issued: u32,
     /// The file that is being read.
     intake: Option<Intake>,
-    /// True if the last file was refused because day and month of its dates cannot be told apart.
-    asks_dates: bool,
 }
 
 /// The records as the open document understands them.

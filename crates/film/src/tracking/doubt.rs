@@ -69,6 +69,12 @@ pub fn is_plainly_in_doubt(tracks: &[Track]) -> bool {
     tracks.iter().any(many)
 }
 
+/// First frame without a body that is lost before its path ends: it is not found again and has not left the picture.
+pub fn lost_from(doubts: &[DoubtfulFrame]) -> Option<usize> {
+    let is_early = |one: &&DoubtfulFrame| matches!(one.doubt, Doubt::Lost(Some(reason)) if reason != LossReason::Left);
+    doubts.iter().find(is_early).map(|one| one.frame)
+}
+
 /// Doubtful frames of some tracks in an upright picture of `size` px, ordered by frame and track.
 pub fn doubts(tracks: &[Track], size: [f64; 2]) -> Vec<DoubtfulFrame> {
     let mut found = Vec::new();

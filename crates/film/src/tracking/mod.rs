@@ -19,10 +19,10 @@ mod smooth;
 mod spline;
 mod track;
 
-pub use doubt::{Doubt, DoubtfulFrame, doubts, is_plainly_in_doubt};
+pub use doubt::{Doubt, DoubtfulFrame, doubts, is_plainly_in_doubt, lost_from};
 pub use following::{Following, Plan, Surface};
 pub use loss::{Loss, LossReason};
 pub use marks::Marks;
 pub use refusal::Refusal;
 pub use similarity::Similarity;
-pub use track::{CameraShift, Exposure, Known, Outline, Point, Readout, Track};
+pub use track::{CameraShift, Exposure, Known, Outline, Point, Readout, Track, of_several};

@@ -39,6 +39,14 @@ pub struct Track {
     pub shift: Option<CameraShift>,
 }
 
+/// Words on the track of a number, from 1, which name it if there are several.
+pub fn of_several(number: usize, count: usize, what: Words) -> Words {
+    match count {
+        0 | 1 => what,
+        _ => words!("track {number}: {what}", number = Words::same(number.to_string()), what = what),
+    }
+}
+
 /// Outline of a tracked body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outline {

@@ -35,8 +35,6 @@ pub struct Now {
     pub tracks: Vec<Track>,
     /// Doubtful frames.
     pub doubts: Vec<DoubtfulFrame>,
-    /// First frame without a body that is lost before its path ends.
-    pub lost_from: Option<usize>,
     /// True if a track was lost or has many doubtful frames.
     pub plainly_in_doubt: bool,
     /// Number of the record, if it exists.
@@ -70,7 +68,6 @@ impl Now {
             calibration: *film.calibration(),
             tracks: film.tracks(),
             doubts: film.doubtful(),
-            lost_from: film.lost_from(),
             plainly_in_doubt: film.is_plainly_in_doubt(),
             record: film.record().filter(|id| desk.records().list().iter().any(|record| record.id == *id)),
             filmed: film.truth().is_some(),

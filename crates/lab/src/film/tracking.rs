@@ -5,6 +5,7 @@ use super::aim::Tool;
 use super::frames::go;
 use super::refusals::{refuse, said};
 use crate::app::App;
+use film::tracking::lost_from;
 use view::browser;
 use view::views::*;
 
@@ -57,7 +58,7 @@ pub fn go_on(app: App) {
 
 /// Shows the frame in which a body was lost, for a click on it, unless the ruler has been begun.
 fn ask_again(app: App) {
-    let lost_from = app.read_desk(|desk| desk.films().current().and_then(|film| film.lost_from()));
+    let lost_from = app.read_desk(|desk| desk.films().current().and_then(|film| lost_from(&film.doubtful())));
     if let Some(frame) = lost_from.filter(|_| app.films.ruler.with_untracked(Vec::is_empty)) {
         app.films.tool.set(Tool::Subject);
         go(app, frame);

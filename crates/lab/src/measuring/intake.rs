@@ -80,9 +80,7 @@ fn question(app: App, file: File) -> View {
 
 /// Asks for the order of day and month in a file that was refused.
 pub fn ask_dates(app: App, file: File) {
-    if app.read_desk(|desk| desk.records().asks_dates()) {
-        app.undated.update(|files| files.push(file));
-    }
+    app.undated.update(|files| files.push(file));
 }
 
 /// Appends files to the queue of files to be read as records.
@@ -104,9 +102,6 @@ fn queue(app: App, files: impl IntoIterator<Item = (File, Option<DateOrder>)>) {
                 let refusal = read_file(app, &file, dates, all_read.then_some(&*earlier)).await;
                 app.record_progress.set(None);
                 all_read &= refusal.is_none();
-                if refusal.is_some() {
-                    ask_dates(app, file);
-                }
                 refuse(app, refusal);
                 app.tab.set(tabs::MEASURE);
             }
@@ -154,12 +149,14 @@ async fn read_file(app: App, file: &File, dates: Option<DateOrder>, earlier: Opt
             app.attempt_on_desk(|desk| desk.change_records(|records, open| records.begin(open, &name, bytes, dates)))
         }
     };
+    let mut asks_dates = false;
     while refusal.is_none() && app.read_desk(|desk| desk.records().progress().is_some()) {
         browser::breathe().await;
         let end = js_sys::Date::now() + SLICE;
         refusal = app.read_desk(|desk| {
             loop {
                 if let Err(refusal) = desk.advance_record(BUDGET) {
+                    asks_dates = refusal.asks_dates();
                     return Some(refusal.text(desk.play()));
                 }
                 // To add a long record takes a slice of its own.
@@ -176,6 +173,9 @@ async fn read_file(app: App, file: &File, dates: Option<DateOrder>, earlier: Opt
     // The views of the new record are built in a separate slice.
     browser::breathe().await;
     app.act(|_| ());
+    if asks_dates {
+        ask_dates(app, file.clone());
+    }
     if refusal.is_none() {
         messages::forget(app.page, earlier.unwrap_or_default());
         film::open_of_project(app, file).await;

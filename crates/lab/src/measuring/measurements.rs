@@ -96,10 +96,14 @@ pub fn sample(app: App, number: usize) {
 
 /// Adds a record and opens the tab, or shows why it could not be read. Returns true if it was added.
 fn add(app: App, name: &str, bytes: &[u8]) -> bool {
-    let refusal = app.attempt_on_desk(|desk| desk.add_record(name, bytes).map(|_| ()));
+    let mut asks_dates = false;
+    let refusal = app.attempt_on_desk(|desk| {
+        let added = desk.add_record(name, bytes).map(|_| ());
+        added.inspect_err(|refusal| asks_dates = refusal.asks_dates())
+    });
     let added = refusal.is_none();
     app.undated.set(Vec::new());
-    if !added
+    if asks_dates
         && let Ok(file) = File::new_with_u8_slice_sequence(&js_sys::Array::of1(&js_sys::Uint8Array::from(bytes)), name)
     {
         intake::ask_dates(app, file);

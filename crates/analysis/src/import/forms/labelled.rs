@@ -4,7 +4,7 @@
 use crate::import::head;
 use crate::import::times::clock;
 
-/// Number of lines from which the form is recognised, and least number of lines of it.
+/// Number of lines among which the first with names is sought, and least number of lines with the same names.
 const SAMPLE: usize = 40;
 const LEAST: usize = 3;
 /// Greatest number of names in a line, and greatest length of a name or unit in bytes.
@@ -39,8 +39,8 @@ struct Labelled<'a> {
 /// Reads a text in which nine lines of ten have the same names before their numbers; `None` for any other text.
 pub(super) fn read(text: &str) -> Option<LabelledTable> {
     let lines = || text.trim_start_matches('\u{feff}').lines().filter(|line| !line.trim().is_empty());
-    let sample: Vec<Option<Line>> = lines().take(SAMPLE).map(line).collect();
-    let first = sample.iter().flatten().find(|line| line.numbers.len() + usize::from(!line.time.is_empty()) > 1)?;
+    let mut sample = lines().take(SAMPLE).filter_map(line);
+    let first = sample.find(|line| line.numbers.len() + usize::from(!line.time.is_empty()) > 1)?;
     let mut rows = String::from(if first.time.is_empty() { "" } else { "time\t" });
     for (place, Labelled { name, unit, .. }) in first.numbers.iter().enumerate() {
         rows.push_str(if place > 0 { "\t" } else { "" });
@@ -51,7 +51,7 @@ pub(super) fn read(text: &str) -> Option<LabelledTable> {
     }
     let (mut count, mut left_out) = (0, 0);
     for line in lines().map(line) {
-        let Some(line) = line.filter(|line| line.is_like(first)) else {
+        let Some(line) = line.filter(|line| line.is_like(&first)) else {
             left_out += 1;
             continue;
         };

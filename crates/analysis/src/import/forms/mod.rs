@@ -32,7 +32,7 @@ pub(super) fn read(text: &str) -> Option<Result<Form, Refusal>> {
     if let Some(json) = json::read(text) {
         let form =
             |table: json::JsonTable| Form { rows: table.cells, is_plain: true, finding: Finding::Json(table.left_out) };
-        return Some(json.map(form).ok_or(Refusal::Json));
+        return Some(json.map(form));
     }
     if let Some(table) = markup::read(text) {
         let finding = Finding::Markup { markup: table.markup, others: table.others };

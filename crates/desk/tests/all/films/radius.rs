@@ -4,6 +4,7 @@ use super::scene::{HEIGHT, WIDTH, container, identity, track};
 use super::{laboratory, ruler};
 use desk::film::Plane;
 use desk::film::tracking::column::Click;
+use desk::film::tracking::lost_from;
 use desk::saved::Item;
 use desk::{Announcement, Desk, FilmedBody, Subject};
 
@@ -156,7 +157,7 @@ fn a_lost_ball_is_announced_with_its_reason_in_place_of_success() {
     };
     track(&mut desk, &|frame| if frame < 8 { picture(frame) } else { wall(frame) });
     let film = desk.films().current().unwrap();
-    assert_eq!(film.lost_from(), Some(8));
+    assert_eq!(lost_from(&film.doubtful()), Some(8));
     assert_eq!(
         desk.films().losses(),
         "Lost from frame 9 on (counted from 1; 0.266 s of the film): soon after the click, so that the circle may hold wall or shadow beside the body; set a smaller radius, or click it in another frame."

@@ -11,6 +11,7 @@ mod truth;
 
 use super::{camera, filming, opening, words};
 use crate::app::App;
+use film::tracking::lost_from;
 use view::pieces::icons;
 use view::views::*;
 use web_sys::HtmlInputElement;
@@ -91,5 +92,10 @@ fn done(app: App) -> [bool; 4] {
     let now = app.films.now.get_clone();
     let Some(now) = now else { return [false; 4] };
     let record = now.record.is_some() && !now.plainly_in_doubt;
-    [true, !now.subject.is_nothing() && now.lost_from.is_none(), now.form.lacking(&now.subject).is_none(), record]
+    [
+        true,
+        !now.subject.is_nothing() && lost_from(&now.doubts).is_none(),
+        now.form.lacking(&now.subject).is_none(),
+        record,
+    ]
 }

@@ -4,13 +4,16 @@
 mod collect;
 mod scan;
 
+use crate::import::refusal::Refusal;
 use collect::Collector;
 pub(super) use collect::JsonTable;
 use scan::Scanner;
 
-/// Reads a text that is JSON throughout; `None` for any other. The table is `None` without records and without several
-/// arrays of numbers of one length.
-pub(super) fn read(text: &str) -> Option<Option<JsonTable>> {
+/// Reads a text that is JSON throughout; `None` for any other.
+///
+/// # Errors
+/// It has no records and not several arrays of numbers of one length.
+pub(super) fn read(text: &str) -> Option<Result<JsonTable, Refusal>> {
     let text = text.trim_start_matches('\u{feff}').trim();
     if !text.starts_with(['{', '[']) {
         return None;
@@ -18,7 +21,7 @@ pub(super) fn read(text: &str) -> Option<Option<JsonTable>> {
     let mut scanner = Scanner::new(text);
     let mut collector = Collector::default();
     collector.document(&mut scanner)?;
-    Some(collector.table())
+    Some(collector.table().ok_or(Refusal::Json))
 }
 
 #[cfg(test)]
@@ -40,11 +43,11 @@ mod tests {
             ),
         ] {
             match read(text) {
-                Some(Some(table)) => assert_eq!(table.cells, expected, "{text}"),
+                Some(Ok(table)) => assert_eq!(table.cells, expected, "{text}"),
                 other => panic!("{text}: {other:?}"),
             }
         }
-        assert!(matches!(read("{\"a\":1}"), Some(None)));
+        assert!(matches!(read("{\"a\":1}"), Some(Err(Refusal::Json))));
         for text in ["[s]\n1 2", "{\"t\":[0,1}", "t,x", "[1,2] 3"] {
             assert!(read(text).is_none(), "{text}");
         }

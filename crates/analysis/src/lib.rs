@@ -2,7 +2,6 @@
 //! uncertainties, and the ranking of models.
 
 pub mod assumed_unit;
-mod bytes;
 pub mod conversion;
 pub mod csv;
 pub mod cycles;
@@ -15,7 +14,6 @@ pub mod import;
 pub mod inspection;
 pub mod lookup;
 pub mod origin;
-mod packed;
 pub mod reading;
 mod repeats;
 pub mod roles;

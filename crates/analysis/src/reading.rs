@@ -4,7 +4,7 @@
 use crate::data_sets::DataSets;
 use crate::finding::Finding;
 use crate::import::{self, DateOrder, Import, ImportError, Importer, Refusal};
-use crate::packed::{self, Archive};
+use packed::{Archive};
 use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
 use crate::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
 use std::borrow::Cow;

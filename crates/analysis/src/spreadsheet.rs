@@ -5,8 +5,7 @@ mod zip;
 use crate::scale_line;
 use std::fmt::Write;
 use units::markup::escaped;
-pub(crate) use zip::Checksum;
-pub use zip::{Archive, checksum};
+pub use zip::Archive;
 
 /// Workbook.
 #[derive(Clone, Debug, Default, PartialEq)]

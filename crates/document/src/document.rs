@@ -22,7 +22,13 @@ impl Opened {
 
     /// True if there is an error in any file.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|(_, diagnostic)| diagnostic.severity == model::Severity::Error)
+        self.first_error().is_some()
+    }
+
+    /// The first error in any file.
+    pub fn first_error(&self) -> Option<&Diagnostic> {
+        let mut found = self.diagnostics.iter().map(|(_, diagnostic)| diagnostic);
+        found.find(|diagnostic| diagnostic.severity == model::Severity::Error)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Encoding of grey pictures as PNG files (ISO/IEC 15948).
 
-use analysis::spreadsheet::checksum;
+use packed::checksum;
 
 /// Maximum length of a stored block in a zlib stream, in bytes.
 const LONGEST_BLOCK: usize = 65_535;

@@ -4,9 +4,11 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 29] = [
+const ARROWS: [(&str, &[&str]); 31] = [
     ("wording", &[]),
     ("units", &["wording"]),
+    ("packed", &["units"]),
+    ("ejss", &["packed", "units"]),
     ("catalogues", &["units"]),
     ("elementary", &[]),
     ("program", &["elementary", "units"]),
@@ -20,8 +22,8 @@ const ARROWS: [(&str, &[&str]); 29] = [
     ("host", &["emit", "engine", "program"]),
     ("film", &["units"]),
     ("document", &["model", "program", "units"]),
-    ("analysis", &["engine", "program", "units"]),
-    ("report", &["analysis", "document", "figure", "film", "model", "program", "units"]),
+    ("analysis", &["engine", "packed", "program", "units"]),
+    ("report", &["analysis", "document", "figure", "film", "model", "packed", "program", "units"]),
     ("play", &["engine", "figure", "program", "units"]),
     ("saved", &["document", "program", "units"]),
     (
@@ -59,8 +61,10 @@ const ARROWS: [(&str, &[&str]); 29] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 18] = [
+const CORE: [&str; 20] = [
     "units",
+    "packed",
+    "ejss",
     "elementary",
     "program",
     "model",

@@ -20,7 +20,7 @@ mod table;
 mod wording;
 mod xml_reader;
 
-pub use crate::packed::Gathering;
+pub use packed::Gathering;
 pub use clip::Clip;
 pub use coordinates::{Coordinates, Placement};
 pub use opening::{Opening, gathering, read};

@@ -4,7 +4,7 @@ use super::project::{Opened, PackedFilm, Project};
 use super::refusal::TrackerError;
 use super::xml_reader::XmlReader;
 use crate::import;
-use crate::packed::{self, Archive, Gathering, Part};
+use packed::{Archive, Gathering, Part};
 
 /// Upper bound of the expanded XML of a project, in bytes. An hour of film at 100 frames/s with five masses has half of it.
 const MOST_EXPANDED: u64 = 256 << 20;

@@ -1,7 +1,7 @@
 //! Errors of reading a project.
 
 use super::wording::listed;
-use crate::packed::Defect;
+use packed::Defect;
 use units::{Language, say};
 
 /// Reason why a project was not read.

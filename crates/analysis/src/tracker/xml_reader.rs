@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::project::Project;
 use super::refusal::TrackerError;
-use crate::packed::{Part, Tag, Token, Xml};
+use packed::{Part, Tag, Token, Xml};
 
 /// Greatest length of a text, in bytes; no number, name or array of a project is longer.
 const LONGEST_TEXT: usize = 32 << 20;

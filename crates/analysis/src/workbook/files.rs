@@ -4,7 +4,7 @@ use super::refusal::WorkbookError;
 use super::source::{Progress, SheetSource, SheetText};
 use crate::data_sets::{DEVICE, EVENTS};
 use crate::import::{self, Program};
-use crate::packed::{Archive, Part};
+use packed::{Archive, Part};
 
 /// Upper bound of the files that are read.
 const MOST_FILES: usize = 60;

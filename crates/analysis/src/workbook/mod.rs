@@ -19,7 +19,7 @@ pub use refusal::WorkbookError;
 pub use source::{Progress, SheetText};
 
 use crate::data_sets::{DEVICE, EVENTS};
-use crate::packed::{self, Archive, Xml};
+use packed::{Archive, Xml};
 use files::Files;
 use ods::SheetsReader;
 use source::SheetSource;

@@ -5,7 +5,7 @@ use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_COLUMNS};
 use super::source::{Progress, SheetSource, SheetText};
 use super::styles::NumberFormat;
-use crate::packed::{Tag, Token, Xml};
+use packed::{Tag, Token, Xml};
 
 /// Path of the part with the sheets.
 pub(super) const CONTENT: &str = "content.xml";

@@ -1,7 +1,7 @@
 //! Errors of reading a workbook.
 
 use crate::import::Program;
-use crate::packed::Defect;
+use packed::Defect;
 use units::{Language, say};
 
 /// Reason why a workbook was not read.

@@ -3,7 +3,7 @@
 use super::moment::Meaning;
 use super::refusal::WorkbookError;
 use crate::import;
-use crate::packed::{Token, Xml};
+use packed::{Token, Xml};
 use std::collections::BTreeMap;
 
 /// Upper bound of the cell formats; Excel allows 65490.

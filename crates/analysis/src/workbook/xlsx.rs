@@ -5,8 +5,8 @@ use super::refusal::WorkbookError;
 use super::sheet::{LONGEST_VALUE, Lines, MOST_ROWS};
 use super::styles::{self, NumberFormat};
 use super::texts::Texts;
-use crate::packed::Archive;
-use crate::packed::{Tag, Token, Xml};
+use packed::Archive;
+use packed::{Tag, Token, Xml};
 use std::collections::BTreeMap;
 use units::order::sort_by_key;
 

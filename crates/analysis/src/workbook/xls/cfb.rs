@@ -1,7 +1,7 @@
 //! Compound files (MS-CFB): a file system of chained sectors that contains the stream of an old workbook. Chains are
 //! bounded by the length of the file, and so is the allocated memory.
 
-use crate::bytes::{double, word};
+use packed::bytes::{double, word};
 
 /// First bytes of a compound file.
 pub(super) const MAGIC: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";

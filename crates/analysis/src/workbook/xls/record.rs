@@ -1,6 +1,6 @@
 //! Records of a workbook stream (BIFF), and the texts in them.
 
-use crate::bytes::{double, word};
+use packed::bytes::{double, word};
 use crate::import;
 
 /// Kind of a record that continues the one before it.

@@ -2,7 +2,7 @@
 
 use super::book::{BOF, Book, EOF};
 use super::record::{Content, Record, rk};
-use crate::bytes::{double, float, word};
+use packed::bytes::{double, float, word};
 use crate::workbook::refusal::WorkbookError;
 use crate::workbook::sheet::Lines;
 

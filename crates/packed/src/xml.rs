@@ -1,7 +1,7 @@
 //! XML as a stream of tokens, with bounds on the memory that a hostile file can use.
 
-use super::Defect;
-use super::part::Part;
+use crate::Defect;
+use crate::part::Part;
 use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::{BytesEnd, BytesRef, BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
@@ -11,7 +11,7 @@ use std::borrow::Cow;
 const DEEPEST: usize = 200;
 
 /// Stream of tokens.
-pub(crate) struct Xml {
+pub struct Xml {
     reader: Reader<Part>,
     buffer: Vec<u8>,
     depth: usize,
@@ -25,18 +25,23 @@ impl std::fmt::Debug for Xml {
 
 /// Token. Names are without their prefix.
 #[derive(Debug)]
-pub(crate) enum Token<'a> {
+pub enum Token<'a> {
+    /// Start of an element.
     Open(Tag<'a>),
+    /// End of an element.
     Close(BytesEnd<'a>),
+    /// Text with its entities resolved.
     Text(Cow<'a, str>),
     /// Entity other than the five predefined ones of XML and characters by number.
     UnknownEntity,
-    /// Document type; true if it has declarations of its own.
+    /// Document type.
     DocumentType {
+        /// True if it declares something of its own.
         declares: bool,
     },
     /// Comment or declaration.
     Other,
+    /// End of the text.
     End,
 }
 
@@ -54,7 +59,7 @@ impl Token<'_> {
 
 /// Tag that begins an element.
 #[derive(Debug)]
-pub(crate) struct Tag<'a>(BytesStart<'a>);
+pub struct Tag<'a>(BytesStart<'a>);
 
 impl Tag<'_> {
     /// Name of the element.
@@ -81,6 +86,7 @@ impl Tag<'_> {
 }
 
 impl Xml {
+    /// Stream of the tokens of a part.
     pub fn new(part: Part) -> Self {
         let mut reader = Reader::from_reader(part);
         let config = reader.config_mut();

@@ -1,8 +1,8 @@
 //! File of an archive, or a text, as a stream of bytes. It never returns more than the directory states, and never more
 //! than a bound between two tokens of its reader.
 
-use super::Defect;
-use crate::spreadsheet::Checksum;
+use crate::Defect;
+use crate::checksum::Checksum;
 use miniz_oxide::inflate::stream::{InflateState, inflate};
 use miniz_oxide::{DataFormat, MZFlush, MZStatus};
 use std::io::{self, BufRead, Read};
@@ -18,7 +18,7 @@ const LONGEST_TOKEN: usize = 1 << 20;
 const LONGEST_ARRAY: usize = 16 << 20;
 
 /// Stream of the expanded bytes.
-pub(crate) struct Part {
+pub struct Part {
     bytes: Rc<Vec<u8>>,
     /// Range of the bytes still packed.
     packed: Range<usize>,
@@ -46,7 +46,8 @@ impl std::fmt::Debug for Part {
 }
 
 impl Part {
-    pub fn new(bytes: Rc<Vec<u8>>, packed: Range<usize>, deflated: bool, expanded: u64, expected: u32) -> Self {
+    /// Stream of a file of an archive. `packed`: its range in `bytes`; `expanded`: stated size, in bytes; `expected`: stated CRC-32.
+    pub(crate) fn new(bytes: Rc<Vec<u8>>, packed: Range<usize>, deflated: bool, expanded: u64, expected: u32) -> Self {
         Self {
             bytes,
             length: packed.len(),

@@ -1,6 +1,6 @@
 //! Partial reading of an archive: the ranges of bytes needed to read its projects and to locate its films.
 
-use super::archive::{self, Archive, End, File, HEADER, LONGEST_COMMENT};
+use crate::archive::{self, Archive, End, File, HEADER, LONGEST_COMMENT};
 use std::cmp::Reverse;
 use std::ops::Range;
 use units::order::sort_by_key;
@@ -37,7 +37,7 @@ enum Stage {
 
 impl Gathering {
     /// For an archive of this length in bytes, with the content of the files whose names have this ending.
-    pub(crate) fn new(size: u64, ending: &'static str) -> Self {
+    pub fn new(size: u64, ending: &'static str) -> Self {
         Self { size, ending, stage: Stage::Tail, pieces: Vec::new() }
     }
 
@@ -94,7 +94,7 @@ impl Gathering {
     }
 
     /// Archive with the gathered pieces; `None` if it contains no needed file.
-    pub(crate) fn finish(self) -> Option<Archive> {
+    pub fn finish(self) -> Option<Archive> {
         let Stage::Pieces(_, files) = self.stage else { return None };
         Some(Archive::of_pieces(self.size, self.pieces, files))
     }

@@ -1,7 +1,7 @@
 //! Directory of a ZIP archive (PKWARE, APPNOTE.TXT 6.3.3), with bounds on the expansion of its files.
 
-use super::Defect;
-use super::part::Part;
+use crate::Defect;
+use crate::part::Part;
 use crate::bytes::{double, quad, word};
 use std::ops::Range;
 use std::rc::Rc;
@@ -21,7 +21,7 @@ const ALWAYS_ALLOWED: u64 = 1 << 20;
 
 /// Archive in memory, or the needed pieces of it.
 #[derive(Clone, Debug)]
-pub(crate) struct Archive {
+pub struct Archive {
     pieces: Vec<Piece>,
     /// Length in bytes.
     size: u64,
@@ -38,7 +38,7 @@ struct Piece {
 
 /// Location of the content of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Stored {
+pub struct Stored {
     /// Range of bytes in the archive.
     pub range: Range<u64>,
     /// True if they are compressed (Deflate), false if they are the content.
@@ -56,6 +56,8 @@ pub(super) struct File {
     checksum: u32,
     pub packed: u64,
     expanded: u64,
+    /// Date and time of the last change, in the order of time (MS-DOS format).
+    modified: u32,
     /// Offset of the header of its content.
     pub header: u64,
 }
@@ -94,6 +96,11 @@ impl Archive {
     /// Names of all files, in the order of the directory.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(|file| file.name.as_str())
+    }
+
+    /// Date and time of the last change of a file, as a number that grows with time; 0 if there is no such file.
+    pub fn modified(&self, name: &str) -> u32 {
+        self.find(name).map_or(0, |file| file.modified)
     }
 
     /// Length in bytes.
@@ -192,6 +199,7 @@ pub(super) fn files(directory: &[u8], end: &End) -> Option<Vec<File>> {
             checksum: double(entry, 16)?,
             packed: double(entry, 20)?.into(),
             expanded: double(entry, 24)?.into(),
+            modified: double(entry, 12)?,
             header: double(entry, 42)?.into(),
         };
         large_sizes(&mut file, entry.get(46 + name..46 + name + extra)?);

@@ -1,22 +1,22 @@
 //! Little-endian numbers at an offset in bytes; `None` beyond the end.
 
 /// Integer of 16 bits.
-pub(crate) fn word(bytes: &[u8], at: usize) -> Option<u16> {
+pub fn word(bytes: &[u8], at: usize) -> Option<u16> {
     Some(u16::from_le_bytes(array(bytes, at)?))
 }
 
 /// Integer of 32 bits.
-pub(crate) fn double(bytes: &[u8], at: usize) -> Option<u32> {
+pub fn double(bytes: &[u8], at: usize) -> Option<u32> {
     Some(u32::from_le_bytes(array(bytes, at)?))
 }
 
 /// Integer of 64 bits.
-pub(crate) fn quad(bytes: &[u8], at: usize) -> Option<u64> {
+pub fn quad(bytes: &[u8], at: usize) -> Option<u64> {
     Some(u64::from_le_bytes(array(bytes, at)?))
 }
 
 /// Floating-point number of 64 bits.
-pub(crate) fn float(bytes: &[u8], at: usize) -> Option<f64> {
+pub fn float(bytes: &[u8], at: usize) -> Option<f64> {
     Some(f64::from_le_bytes(array(bytes, at)?))
 }
 

@@ -1,0 +1,81 @@
+//! Simulations of Easy JavaScript Simulations (`.ejss`) and WebEJS (`_source.json`) as documents.
+//!
+//! [`import`] reads every simulation: one with plain differential equations is translated, any other is listed, with its
+//! variables, equations and code. A [`Report`] says what was not carried over. Nothing of a file is executed.
+
+mod listing;
+mod originals;
+mod page;
+mod place;
+mod prose;
+mod reading;
+mod refusal;
+mod report;
+mod script;
+mod simulation;
+mod translation;
+
+pub use originals::Original;
+pub use place::Section;
+pub use refusal::Refusal;
+pub use report::{Entry, EntryKind, Report};
+
+use translation::{Blocker, Solved};
+use units::{Language, Words};
+
+/// Document made of a simulation.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// Text of the document.
+    pub document: String,
+    /// Title of the simulation.
+    pub title: String,
+    /// Language of its description.
+    pub language: Language,
+    /// What was not carried over, and what differs.
+    pub report: Report,
+    /// Reason why the model is listed and not translated.
+    pub listed_because: Option<Words>,
+    /// Source of each quantity of a translated model.
+    pub originals: Vec<Original>,
+}
+
+/// True if a file begins like one that [`import`] reads. An archive is one if it has such a source.
+pub fn is_simulation(name: &str, bytes: &[u8]) -> bool {
+    let name = name.to_ascii_lowercase();
+    name.ends_with(".ejss")
+        || name.ends_with("source.json")
+        || reading::is_source(bytes)
+        || bytes.starts_with(b"PK") && reading::Files::open(bytes).is_ok_and(|files| matches!(files.source(), Ok(Some(_))))
+}
+
+/// Document of a simulation. `accepts`: checks a document; `Err` is the first error of it. A translation that is not accepted
+/// is replaced by one without units, then by one without its drawing, then by a listing.
+///
+/// # Errors
+/// The reason why the file gives no document.
+pub fn import(bytes: &[u8], accepts: &mut dyn FnMut(&str) -> Result<(), String>) -> Result<Imported, Refusal> {
+    let (simulation, files) = reading::read(bytes)?;
+    let page = page::Page::new(&simulation, &files);
+    let mut report = page.report.clone();
+    let blocker = match Solved::new(&simulation, &files, &mut report) {
+        Ok(solved) => {
+            let mut message = String::new();
+            for (has_units, has_scene) in [(true, true), (false, true), (true, false), (false, false)] {
+                if has_units && !solved.has_units() || !has_scene && !solved.has_picture() {
+                    continue;
+                }
+                let mut report = report.clone();
+                let blocks = solved.document(&page.title, [has_units, has_scene], &mut report);
+                let imported = page.translated(&simulation, &solved, &blocks, has_units, report);
+                match accepts(&imported.document) {
+                    Ok(()) => return Ok(imported),
+                    Err(error) => message = error,
+                }
+            }
+            Blocker::Checker(message)
+        }
+        Err(blocker) => blocker,
+    };
+    Ok(page.listed(&simulation, &blocker))
+}

@@ -1,0 +1,73 @@
+//! Reasons why a simulation is listed and not translated.
+
+use super::names::original;
+use crate::place::Reason;
+use crate::report::shown;
+use units::{Words, words};
+
+/// Reason why a model is not translated.
+#[derive(Clone, Debug)]
+pub(crate) enum Blocker {
+    /// No active page of equations.
+    NoEquations,
+    /// Several active pages of equations.
+    SeveralEquations(usize),
+    /// A page of evolution code.
+    EvolutionCode(String),
+    /// A state that is an array.
+    ArrayState(String),
+    /// A state that no table declares.
+    UnknownState(String),
+    /// Delays or discontinuities.
+    Extras,
+    /// The step is no constant number.
+    Step(String),
+    /// The time does not begin at 0.
+    StartOfTime(String),
+    /// A quantity that the states need cannot be translated.
+    Needed(String, Reason),
+    /// The checker does not accept the translation.
+    Checker(String),
+}
+
+impl Blocker {
+    /// The reason as part of a sentence.
+    pub fn words(&self) -> Words {
+        match self {
+            Self::NoEquations => words!("it has no page of differential equations"),
+            Self::SeveralEquations(count) => words!("it has {count} pages of differential equations"),
+            Self::EvolutionCode(page) => {
+                let page = shown(page);
+                words!("code runs after each step (page \"{page}\" of the evolution)")
+            }
+            Self::ArrayState(name) => {
+                let name = shown(name);
+                words!("the state {name} is an array")
+            }
+            Self::UnknownState(name) => {
+                let name = shown(name);
+                words!("the state {name} is in no table of variables")
+            }
+            Self::Extras => words!("its equations have delays or discontinuities"),
+            Self::Step(step) => {
+                let step = shown(step);
+                words!("the step {step} is no constant number")
+            }
+            Self::StartOfTime(value) => {
+                let value = shown(value);
+                words!("the time begins at {value}")
+            }
+            Self::Needed(name, reason) => {
+                let (name, why, section) = (shown(original(name)), reason.obstacle.words(), reason.place.section.words());
+                match reason.place.line {
+                    Some(line) => words!("{name} cannot be translated, and the motion needs it: {why} ({section}, line {line})"),
+                    None => words!("{name} cannot be translated, and the motion needs it: {why} ({section})"),
+                }
+            }
+            Self::Checker(message) => {
+                let message = shown(message);
+                words!("the checker does not accept the translation: {message}")
+            }
+        }
+    }
+}

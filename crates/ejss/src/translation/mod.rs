@@ -1,0 +1,25 @@
+//! Translation of plain models: one system of ordinary differential equations with single values.
+
+mod blocker;
+mod calls;
+mod choices;
+mod controls;
+mod evaluation;
+mod events;
+mod facts;
+mod method;
+mod model;
+mod motion;
+mod names;
+mod needs;
+mod picture;
+mod plots;
+mod run;
+mod solved;
+mod units;
+mod value;
+mod writing;
+
+pub(crate) use blocker::Blocker;
+pub(crate) use method::method_of;
+pub(crate) use solved::{Document, Solved};

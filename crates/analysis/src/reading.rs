@@ -4,9 +4,9 @@
 use crate::data_sets::DataSets;
 use crate::finding::Finding;
 use crate::import::{self, DateOrder, Import, ImportError, Importer, Refusal};
-use packed::{Archive};
 use crate::tracker::{self, Gathering, Opening, Project, TrackerError};
 use crate::workbook::{self, Progress, SheetText, Workbook, WorkbookError};
+use packed::Archive;
 use std::borrow::Cow;
 use units::{Language, say};
 

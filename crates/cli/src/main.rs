@@ -54,6 +54,7 @@ fn main() -> ExitCode {
         Command::Export(export) => export::export(export, terminal),
         Command::Class(class) => class::run(class, terminal),
         Command::New(new) => authoring::new(new, terminal),
+        Command::Import(import) => authoring::import(import, terminal),
         Command::Format(format) => authoring::format(format, terminal),
         Command::Lsp => lsp::serve(terminal.language),
         Command::Build(build) => site::build(build, terminal),

@@ -46,7 +46,8 @@ pub fn is_simulation(name: &str, bytes: &[u8]) -> bool {
     name.ends_with(".ejss")
         || name.ends_with("source.json")
         || reading::is_source(bytes)
-        || bytes.starts_with(b"PK") && reading::Files::open(bytes).is_ok_and(|files| matches!(files.source(), Ok(Some(_))))
+        || bytes.starts_with(b"PK")
+            && reading::Files::open(bytes).is_ok_and(|files| matches!(files.source(), Ok(Some(_))))
 }
 
 /// Document of a simulation. `accepts`: checks a document; `Err` is the first error of it. A translation that is not accepted

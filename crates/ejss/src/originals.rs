@@ -27,10 +27,17 @@ pub(crate) fn originals(simulation: &Simulation, names: &[(String, String)]) -> 
     for page in simulation.variables.iter().filter(|page| page.is_active) {
         for (row, variable) in page.variables.iter().enumerate() {
             let comment = if variable.comment.is_empty() { String::new() } else { format!(" // {}", variable.comment) };
-            lines.push((Section::Variables, &page.name, row + 1, format!("{} = {}{comment}", variable.name, variable.value)));
+            lines.push((
+                Section::Variables,
+                &page.name,
+                row + 1,
+                format!("{} = {}{comment}", variable.name, variable.value),
+            ));
         }
     }
-    for (section, pages) in [(Section::Initialization, &simulation.initialization), (Section::FixedRelations, &simulation.fixed_relations)] {
+    for (section, pages) in
+        [(Section::Initialization, &simulation.initialization), (Section::FixedRelations, &simulation.fixed_relations)]
+    {
         for page in pages.iter().filter(|page| page.is_active) {
             add_code(section, &page.name, &page.code, &mut lines);
         }
@@ -74,7 +81,9 @@ fn writes(line: &str, name: &str) -> bool {
         from = at + name.len();
         let before = line.get(..at).unwrap_or_default();
         let after = line.get(from..).unwrap_or_default();
-        if before.ends_with(is_part) || after.starts_with(|letter: char| letter.is_alphanumeric() || matches!(letter, '_' | '$')) {
+        if before.ends_with(is_part)
+            || after.starts_with(|letter: char| letter.is_alphanumeric() || matches!(letter, '_' | '$'))
+        {
             continue;
         }
         let sign = after.trim_start_matches('\'').trim_start();

@@ -8,17 +8,21 @@ use crate::prose::{escaped, language_of, markdown, plain_text, wrapped};
 use crate::reading::Files;
 use crate::report::{EntryKind, Report};
 use crate::simulation::Simulation;
-use crate::translation::{Blocker, Document, Solved, method_of};
+use crate::translation::{Blocker, Document, Solved, active_equations, method_of};
 use std::fmt::Write as _;
 use units::number::shortest;
 use units::{Language, say, words};
 
 /// Greatest number of entries of the report that stand in the document.
 const MOST_LISTED: usize = 80;
-/// Longest summary, in characters.
-const LONGEST_SUMMARY: usize = 200;
+/// Longest title, in characters.
+const LONGEST_TITLE: usize = 90;
+/// Longest summary, in characters; with its key it stays within the line.
+const LONGEST_SUMMARY: usize = 185;
 /// Greatest length of the description, in bytes; a document may have 1 MB.
-const LONGEST_PROSE: usize = 700 << 10;
+const LONGEST_PROSE: usize = 500 << 10;
+/// Greatest length of the listing of a model, in bytes.
+const LONGEST_LISTING: usize = 350 << 10;
 
 /// Parts of the document that the model does not determine.
 pub(crate) struct Page {
@@ -34,8 +38,9 @@ impl Page {
     pub fn new(simulation: &Simulation, files: &Files) -> Self {
         let mut report = Report::default();
         let title = plain_text(&simulation.title);
-        let title: String = title.chars().take(120).collect();
-        let pages: Vec<_> = simulation.description.iter().filter(|page| page.locale == "_default_" || page.locale.is_empty()).collect();
+        let title: String = title.chars().take(LONGEST_TITLE).collect();
+        let pages: Vec<_> =
+            simulation.description.iter().filter(|page| page.locale == "_default_" || page.locale.is_empty()).collect();
         let pages = if pages.is_empty() { simulation.description.iter().take(1).collect() } else { pages };
         let mut blocks = Vec::new();
         let mut plain = String::new();
@@ -47,7 +52,11 @@ impl Page {
             }
             let (text, lost) = markdown(&page.html, &title, &|path| files.picture(path));
             for _ in 0..lost {
-                report.add(EntryKind::Left, place.clone(), words!("The picture is not carried over: it is not in the file, or too large."));
+                report.add(
+                    EntryKind::Left,
+                    place.clone(),
+                    words!("The picture is not carried over: it is not in the file, or too large."),
+                );
             }
             if page.html.to_ascii_lowercase().contains("<script") {
                 report.add(EntryKind::Left, place, words!("The script of the description is not carried over."));
@@ -78,10 +87,15 @@ impl Page {
             let end = prose.get(..end).and_then(|text| text.rfind("\n\n")).unwrap_or(0);
             prose.truncate(end);
             let place = Place::new(Section::Description, "");
-            report.add(EntryKind::Left, place, words!("The rest of the description is not carried over: it is too long."));
+            report.add(
+                EntryKind::Left,
+                place,
+                words!("The rest of the description is not carried over: it is too long."),
+            );
         }
         let cut: String = summary.chars().take(LONGEST_SUMMARY).collect();
-        let authors: Vec<String> = simulation.authors.iter().map(|author| plain_text(author)).filter(|author| !author.is_empty()).collect();
+        let authors: Vec<String> =
+            simulation.authors.iter().map(|author| plain_text(author)).filter(|author| !author.is_empty()).collect();
         Self {
             title: if title.is_empty() { "Simulation".to_owned() } else { title },
             language: language_of(&format!("{} {plain} {summary}", simulation.title)),
@@ -93,11 +107,19 @@ impl Page {
     }
 
     /// The document of a translated simulation.
-    pub fn translated(&self, simulation: &Simulation, solved: &Solved, blocks: &Document, has_units: bool, mut report: Report) -> Imported {
+    pub fn translated(
+        &self,
+        simulation: &Simulation,
+        solved: &Solved,
+        blocks: &Document,
+        has_units: bool,
+        mut report: Report,
+    ) -> Imported {
         let equations = solved.equations();
         let (method, is_same) = method_of(&equations.method);
         if !is_same {
-            let (place, own) = (Place::new(Section::Evolution, &equations.name), crate::report::shown(&equations.method));
+            let (place, own) =
+                (Place::new(Section::Evolution, &equations.name), crate::report::shown(&equations.method));
             report.add(EntryKind::Differs, place, words!("The method {own} is replaced by {method}."));
         }
         let mut text = self.front_matter();
@@ -127,24 +149,46 @@ impl Page {
     pub fn listed(&self, simulation: &Simulation, blocker: &Blocker) -> Imported {
         let mut report = self.report.clone();
         report_view(simulation, &|_| false, &mut report);
-        let why = blocker.words();
-        report.add(EntryKind::Left, Place::new(Section::Evolution, ""), words!("The model is listed and not translated: {why}."));
         let language = self.language;
+        let mut blocks = listing(simulation, language);
+        let mut length = 0;
+        let fits = blocks.iter().take_while(|block| {
+            length += block.len();
+            length <= LONGEST_LISTING
+        });
+        let count = fits.count();
+        if count < blocks.len() {
+            blocks.truncate(count);
+            report.add(
+                EntryKind::Left,
+                Place::new(Section::Information, ""),
+                words!("The rest of the model is not listed: it is too long."),
+            );
+        }
         let mut text = self.front_matter();
+        if let Some((method, step)) = listed_method(simulation) {
+            let _ = writeln!(text, "method: {method}\nstep: {step}");
+        }
         text.push_str("---\n\n");
         if !self.prose.is_empty() {
             let _ = writeln!(text, "{}\n", self.prose);
         }
         let todo = say!(language, "The equations go here. Below stands what they are made from.");
         let _ = writeln!(text, "```model\n# {todo}\n```\n");
-        for block in listing(simulation, language) {
+        for block in blocks {
             let _ = writeln!(text, "{block}\n");
         }
         self.origin(&mut text, &report, Some(blocker));
         self.imported(text, report, Some(blocker.words()), Vec::new())
     }
 
-    fn imported(&self, document: String, mut report: Report, listed_because: Option<units::Words>, originals: Vec<crate::Original>) -> Imported {
+    fn imported(
+        &self,
+        document: String,
+        mut report: Report,
+        listed_because: Option<units::Words>,
+        originals: Vec<crate::Original>,
+    ) -> Imported {
         let lines: Vec<&str> = document.lines().collect();
         let language = self.language;
         report.locate(|entry| {
@@ -176,7 +220,11 @@ impl Page {
         let _ = writeln!(text, "{}", wrapped(&origin));
         if let Some(blocker) = blocker {
             let why = blocker.words().text(language).into_owned();
-            let _ = writeln!(text, "\n{}", wrapped(&listed(&say!(language, "The model is listed and not translated: {why}."))));
+            let _ = writeln!(
+                text,
+                "\n{}",
+                wrapped(&listed(&say!(language, "The model is listed and not translated: {why}.")))
+            );
         }
         let entries = report.entries();
         if entries.is_empty() {
@@ -192,6 +240,16 @@ impl Page {
             let _ = writeln!(text, "- {}", say!(language, "{more} more are in the report of the import."));
         }
     }
+}
+
+/// Method and step of the only active equations, if the step is a number or a variable with one.
+fn listed_method(simulation: &Simulation) -> Option<(&'static str, String)> {
+    let active = active_equations(simulation);
+    let [equations] = active.as_slice() else { return None };
+    let tables = simulation.variables.iter().filter(|page| page.is_active);
+    let own = tables.flat_map(|page| &page.variables).find(|variable| variable.name == equations.increment);
+    let step: f64 = own.map_or(&equations.increment, |variable| &variable.value).trim().parse().ok()?;
+    (step > 0.0 && step.is_finite()).then(|| (method_of(&equations.method).0, shortest(step)))
 }
 
 /// A sentence of the report as an item of a list: names stand in quotation marks, nothing else is markup.

@@ -31,7 +31,9 @@ impl Refusal {
         match self {
             Self::TooLarge => words!("The file is longer than 20 MB. No simulation of this size can be opened."),
             Self::TooComplex => {
-                words!("The simulation has more than 2000 elements, or they are nested more than 64 deep. It cannot be opened.")
+                words!(
+                    "The simulation has more than 2000 elements, or they are nested more than 64 deep. It cannot be opened."
+                )
             }
             Self::Unknown => words!(
                 "This is no simulation of Easy JavaScript Simulations. What can be opened: .ejss, _source.json, and a ZIP archive with one of these."
@@ -44,7 +46,7 @@ impl Refusal {
             ),
             Self::Protected => words!("The source is protected by a password. Ask its author for a copy without one."),
             Self::Path(name) => {
-                words!("The archive is refused: the name `{name}` leads out of its folder. Pack the simulation anew.")
+                words!("The archive is refused: the name `{name}` leads out of its folder. Pack the simulation again.")
             }
             Self::Damaged => words!("The archive is damaged. Download or pack it once more."),
             Self::Broken => words!("The file is incomplete or damaged. Save the simulation once more in its editor."),
@@ -116,7 +118,9 @@ impl Obstacle {
             Self::View(name) => words!("it uses the page or the view (`{name}`)"),
             Self::Loop => words!("it has a loop"),
             Self::Array(name) => words!("`{name}` is an array"),
-            Self::Bits => words!("`^`, `&`, `|` and shifts work on the bits of whole numbers; `^` is no power in JavaScript"),
+            Self::Bits => {
+                words!("`^`, `&`, `|` and shifts work on the bits of whole numbers; `^` is no power in JavaScript")
+            }
             Self::Random => words!("it draws a random number"),
             Self::Name(name) => words!("`{name}` is declared nowhere"),
             Self::Call(name) => words!("the function `{name}` cannot be translated"),

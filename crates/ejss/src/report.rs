@@ -97,7 +97,10 @@ impl Report {
 
     pub(crate) fn add(&mut self, kind: EntryKind, place: Place, text: Words) {
         let same = |entry: &&mut Entry| {
-            entry.place.section == place.section && entry.place.page == place.page && entry.text == text && entry.kind == kind
+            entry.place.section == place.section
+                && entry.place.page == place.page
+                && entry.text == text
+                && entry.kind == kind
         };
         if let Some(entry) = self.entries.iter_mut().find(same) {
             entry.count += 1;
@@ -131,6 +134,9 @@ impl Report {
 /// Name of a page in one short line, without what could end a quotation or mark up a text.
 pub(crate) fn shown(name: &str) -> String {
     let plain = name.chars().map(|letter| if letter.is_control() { ' ' } else { letter });
-    let plain: String = plain.filter(|letter| !matches!(letter, '`' | '"' | '<' | '>' | '[' | ']' | '*' | '$' | '|' | '\\')).take(60).collect();
+    let plain: String = plain
+        .filter(|letter| !matches!(letter, '`' | '"' | '<' | '>' | '[' | ']' | '*' | '$' | '|' | '\\'))
+        .take(60)
+        .collect();
     plain.trim().to_owned()
 }

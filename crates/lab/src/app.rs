@@ -3,6 +3,7 @@
 mod host;
 
 use crate::class::{Room, SurveyRoom};
+use crate::documents::imported::Report as Imported;
 use crate::documents::stored::{Kept, Saved, VersionTimes};
 use crate::film::{Films, Player};
 use crate::guide::Step;
@@ -150,6 +151,8 @@ pub struct Laboratory {
     pub resting: Signal<u64>,
     /// Form in which the document is edited.
     pub writing_panel: Signal<Panel>,
+    /// Report of the last import.
+    pub imported: Signal<Option<Rc<Imported>>>,
     /// First equation of each theory read so far, by file name.
     pub equations: Signal<BTreeMap<String, String>>,
 }
@@ -237,6 +240,7 @@ impl App {
             insight: create_signal(Insight::default()),
             resting: counter(),
             writing_panel: create_signal(Panel::default()),
+            imported: create_signal(None),
             equations: create_signal(BTreeMap::new()),
         };
         let app = Self(Box::leak(Box::new(laboratory)));

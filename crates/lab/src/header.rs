@@ -33,7 +33,7 @@ fn open_button(app: App) -> View {
         .id("open-file")
         .hidden(true)
         .multiple(true)
-        .accept(".md,.markdown,.html,.htm,.meniscus,.hand-in,text/markdown,text/html")
+        .accept(".md,.markdown,.html,.htm,.meniscus,.hand-in,.ejss,.json,.zip,text/markdown,text/html")
         .attr("aria-label", words.open_title)
         .when(events::change, read);
     View::from((open, input))

@@ -17,7 +17,7 @@ table_of_words! {
     file_not_read: "The browser could not read this file:";
 
     drop_title: "Drop a document, a film or measured data";
-    drop_what: "A simulation document, an exported page, a film of an experiment, a table from a sensor, or a hand-in or report to be verified";
+    drop_what: "A simulation document, a simulation of EJS, an exported page, a film of an experiment, a table from a sensor, or a hand-in or report to be verified";
 
     // Measurements.
     measurements_intro: "Open a film of an experiment and click what moves, or bring a record: a table of times and values as text, XLSX, ODS or XLS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.";
@@ -195,6 +195,10 @@ table_of_words! {
     panel_text: "Text";
     panel_model: "Model";
     insight: "Under the cursor";
+    import_report: "Report of the import";
+    import_translated: "The model is translated. What is missing, or differs from the original:";
+    import_listed: "The model is listed and not translated:";
+    import_original: "Original";
     insight_none: "What the cursor is on is explained here.";
     panel_view: "View";
     view_drawing: "Drawing";

@@ -1,8 +1,8 @@
 //! Directory of a ZIP archive (PKWARE, APPNOTE.TXT 6.3.3), with bounds on the expansion of its files.
 
 use crate::Defect;
-use crate::part::Part;
 use crate::bytes::{double, quad, word};
+use crate::part::Part;
 use std::ops::Range;
 use std::rc::Rc;
 

@@ -110,7 +110,7 @@ impl Xml {
     ///
     /// # Errors
     /// The stream is damaged, a token too long, or the nesting too deep.
-    pub fn next(&mut self) -> Result<Token<'_>, Defect> {
+    pub fn next_token(&mut self) -> Result<Token<'_>, Defect> {
         self.buffer.clear();
         self.reader.get_mut().begin_token();
         Ok(match self.reader.read_event_into(&mut self.buffer) {

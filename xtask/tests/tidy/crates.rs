@@ -38,7 +38,10 @@ const ARROWS: [(&str, &[&str]); 31] = [
     ("probe", &["analysis", "document", "engine", "figure", "film", "host", "program", "units"]),
     ("view", &["figure", "play", "program", "units"]),
     ("player", &["play", "program", "units", "view"]),
-    ("lab", &["class", "desk", "document", "figure", "film", "host", "model", "play", "program", "units", "view"]),
+    (
+        "lab",
+        &["class", "desk", "document", "ejss", "figure", "film", "host", "model", "play", "program", "units", "view"],
+    ),
     (
         "cli",
         &[
@@ -46,6 +49,7 @@ const ARROWS: [(&str, &[&str]); 31] = [
             "catalogues",
             "class",
             "document",
+            "ejss",
             "engine",
             "figure",
             "film",

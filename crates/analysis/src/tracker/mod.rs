@@ -20,10 +20,10 @@ mod table;
 mod wording;
 mod xml_reader;
 
-pub use packed::Gathering;
 pub use clip::Clip;
 pub use coordinates::{Coordinates, Placement};
 pub use opening::{Opening, gathering, read};
+pub use packed::Gathering;
 pub use project::{Film, Mark, Mass, Missing, Opened, PackedFilm, Project};
 pub use refusal::TrackerError;
 pub use remark::{LeftOut, Remark};

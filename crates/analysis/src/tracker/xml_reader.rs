@@ -33,7 +33,7 @@ impl XmlReader {
     pub fn advance(&mut self, budget: usize) -> Result<bool, TrackerError> {
         let end = self.xml.position().saturating_add(budget as u64);
         while self.xml.position() < end {
-            match self.xml.next()? {
+            match self.xml.next_token()? {
                 Token::Open(tag) => {
                     self.path.push(level(&tag)?);
                     self.text.clear();

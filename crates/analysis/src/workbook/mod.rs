@@ -19,9 +19,9 @@ pub use refusal::WorkbookError;
 pub use source::{Progress, SheetText};
 
 use crate::data_sets::{DEVICE, EVENTS};
-use packed::{Archive, Xml};
 use files::Files;
 use ods::SheetsReader;
+use packed::{Archive, Xml};
 use source::SheetSource;
 use texts::Texts;
 use xlsx::{Book, Inside, SheetReader};

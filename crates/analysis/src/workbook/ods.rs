@@ -57,7 +57,7 @@ impl SheetSource for SheetsReader {
 
     fn has_more(&mut self) -> bool {
         while self.sheet.is_none() {
-            match self.xml.next() {
+            match self.xml.next_token() {
                 Ok(Token::End) | Err(_) => return false,
                 Ok(Token::Open(tag)) if tag.name() == "table" => {
                     self.sheet = Some(Sheet::new(tag.attribute("name").unwrap_or_default(), self.most));
@@ -71,7 +71,7 @@ impl SheetSource for SheetsReader {
     fn advance(&mut self, budget: u64) -> Result<Progress, WorkbookError> {
         let end = self.xml.position().saturating_add(budget);
         while self.xml.position() < end {
-            let token = self.xml.next()?;
+            let token = self.xml.next_token()?;
             if self.skipping > 0 {
                 match token {
                     Token::Open(_) => self.skipping += 1,

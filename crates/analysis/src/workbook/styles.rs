@@ -66,7 +66,7 @@ pub(super) fn read(mut xml: Xml) -> Result<Vec<NumberFormat>, WorkbookError> {
     let mut styles = Vec::new();
     let mut in_cells = false;
     loop {
-        match xml.next()? {
+        match xml.next_token()? {
             Token::Open(tag) => match tag.name() {
                 "cellXfs" => in_cells = true,
                 "numFmt" if formats.len() < MOST_STYLES => {

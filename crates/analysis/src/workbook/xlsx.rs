@@ -59,7 +59,7 @@ impl Book {
         let mut book = Self { sheets: Vec::new(), styles, from_1904: false, texts: of_kind("sharedStrings") };
         let mut xml = Xml::new(archive.part(&path, SMALL)?);
         loop {
-            match xml.next()? {
+            match xml.next_token()? {
                 Token::Open(tag) if tag.name() == "workbookPr" => {
                     book.from_1904 = tag.attribute("date1904").is_some_and(|value| value == "1" || value == "true");
                 }
@@ -98,7 +98,7 @@ fn relations(archive: &Archive, path: &str) -> Result<BTreeMap<String, Target>, 
     }
     let mut xml = Xml::new(archive.part(path, SMALL)?);
     loop {
-        match xml.next()? {
+        match xml.next_token()? {
             Token::Open(tag) if tag.name() == "Relationship" && targets.len() < 10 * MOST_SHEETS => {
                 let kind = tag.attribute("Type").unwrap_or_default();
                 let kind = kind.rsplit('/').next().unwrap_or_default().to_owned();
@@ -136,7 +136,7 @@ pub(super) fn read_texts(
 ) -> Result<bool, WorkbookError> {
     let end = xml.position().saturating_add(budget);
     while xml.position() < end {
-        let token = xml.next()?;
+        let token = xml.next_token()?;
         match &token {
             Token::End => return Ok(true),
             Token::Text(text) if inside.is_text() => texts.open().push_str(text),
@@ -209,7 +209,7 @@ impl SheetReader {
     pub fn read(&mut self, budget: u64, book: &Book, texts: &Texts) -> Result<bool, WorkbookError> {
         let end = self.xml.position().saturating_add(budget);
         while self.xml.position() < end {
-            let token = self.xml.next()?;
+            let token = self.xml.next_token()?;
             match (&token, &mut self.cell) {
                 (Token::End, _) => return Ok(true),
                 (Token::Open(tag), None) if tag.name() == "row" => {

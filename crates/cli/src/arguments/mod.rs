@@ -2,7 +2,9 @@
 
 pub(crate) mod run_settings;
 
-use crate::authoring::arguments::{FORMAT_EXAMPLES, Format as FormatDocuments, NEW_EXAMPLES, New};
+use crate::authoring::arguments::{
+    FORMAT_EXAMPLES, Format as FormatDocuments, IMPORT_EXAMPLES, Import, NEW_EXAMPLES, New,
+};
 use crate::class::arguments::Class;
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
@@ -96,6 +98,9 @@ pub enum Command {
     /// Begin a document in a folder of its own
     #[command(after_help = NEW_EXAMPLES)]
     New(New),
+    /// Make a document of a simulation of Easy JavaScript Simulations or WebEJS
+    #[command(after_help = IMPORT_EXAMPLES)]
+    Import(Import),
     /// Give documents their one layout
     #[command(after_help = FORMAT_EXAMPLES)]
     Format(FormatDocuments),

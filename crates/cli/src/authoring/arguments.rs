@@ -1,7 +1,7 @@
-//! Arguments of `meniscus new` and `meniscus format`.
+//! Arguments of `meniscus new`, `meniscus import` and `meniscus format`.
 
-use clap::Args;
 use clap::builder::PossibleValuesParser;
+use clap::{Args, ValueEnum};
 use document::TEMPLATES;
 use std::path::PathBuf;
 
@@ -26,6 +26,41 @@ pub struct New {
     #[arg(long, value_name = "NAME", default_value = "oscillator")]
     #[arg(value_parser = PossibleValuesParser::new(TEMPLATES.map(|template| template.name)))]
     pub template: String,
+}
+
+/// Shown after the help of `meniscus import`.
+pub const IMPORT_EXAMPLES: &str = "\
+Examples:
+  meniscus import pendulum.ejss                          writes pendulum.md and says what is missing
+  meniscus import pendulum_source.json --output bob.md   a simulation of WebEJS
+  meniscus import pendulum.zip --report json             the report for programs
+
+Easy JavaScript Simulations (.ejss), WebEJS (_source.json), and a ZIP archive with one of these. A model of plain differential
+equations is translated; any other is listed, with its variables, equations and code. Nothing of the file is executed.";
+
+/// `meniscus import`
+#[derive(Debug, Args)]
+pub struct Import {
+    /// The simulation
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+
+    /// The document to write; `-` is the standard output [default: NAME.md in this folder, if there is none yet]
+    #[arg(long, short, value_name = "DOC")]
+    pub output: Option<PathBuf>,
+
+    /// The form of the report
+    #[arg(long, value_name = "FORMAT", value_enum, default_value = "text")]
+    pub report: ReportFormat,
+}
+
+/// Form of the report of an import.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// A list of sentences
+    Text,
+    /// One object
+    Json,
 }
 
 /// Shown after the help of `meniscus format`.

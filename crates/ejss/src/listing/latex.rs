@@ -13,6 +13,10 @@ pub(super) fn formula(expression: &Expression) -> Option<String> {
         Node::Binary(Operator::Over, left, right) => format!("\\frac{{{}}}{{{}}}", formula(left)?, formula(right)?),
         Node::Binary(operator, left, right) => {
             let sign = match operator {
+                // A sign in front of a product needs no parentheses.
+                Operator::Times if matches!(left.node, Node::Unary(Operator::Minus, _)) => {
+                    return Some(format!("{}\\,{}", formula(left)?, factor(right)?));
+                }
                 Operator::Plus => return Some(format!("{}+{}", formula(left)?, term(right)?)),
                 Operator::Minus => return Some(format!("{}-{}", formula(left)?, term(right)?)),
                 Operator::Times => return Some(format!("{}\\,{}", factor(left)?, factor(right)?)),
@@ -56,7 +60,10 @@ fn call(callee: &Expression, arguments: &[Expression]) -> Option<String> {
 /// A sum on the right of a sign stands in parentheses.
 fn term(expression: &Expression) -> Option<String> {
     let inner = formula(expression)?;
-    let needs = matches!(&expression.node, Node::Binary(Operator::Plus | Operator::Minus, ..) | Node::Unary(..) | Node::Assignment(..));
+    let needs = matches!(
+        &expression.node,
+        Node::Binary(Operator::Plus | Operator::Minus, ..) | Node::Unary(..) | Node::Assignment(..)
+    );
     Some(if needs { format!("\\left({inner}\\right)") } else { inner })
 }
 
@@ -70,13 +77,17 @@ fn factor(expression: &Expression) -> Option<String> {
 
 /// LaTeX of a name: `omega0` is an omega with index 0.
 pub(super) fn name(name: &str) -> String {
-    let ascii: String = name.chars().map(|letter| greek_name(letter).map_or_else(|| letter.to_string(), str::to_owned)).collect();
+    let ascii: String =
+        name.chars().map(|letter| greek_name(letter).map_or_else(|| letter.to_string(), str::to_owned)).collect();
     let letters: String = ascii.chars().filter(|letter| letter.is_alphanumeric() || *letter == '_').collect();
     let at = letters.find(|letter: char| letter == '_' || letter.is_ascii_digit()).unwrap_or(letters.len());
     let (base, index) = letters.split_at(at);
     let base = match base {
         "" => return format!("\\mathrm{{{}}}", plain(&letters).unwrap_or_default()),
-        base if greek_letter(base).is_some() && base.chars().next().is_some_and(char::is_lowercase) && base != "omicron" => {
+        base if greek_letter(base).is_some()
+            && base.chars().next().is_some_and(char::is_lowercase)
+            && base != "omicron" =>
+        {
             format!("\\{base} ")
         }
         base if base.chars().count() == 1 => base.to_owned(),

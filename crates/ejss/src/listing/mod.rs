@@ -16,7 +16,12 @@ const LONGEST_CELL: usize = 40;
 /// Sections of Markdown for everything of the model.
 pub(crate) fn listing(simulation: &Simulation, language: Language) -> Vec<String> {
     let mut blocks = Vec::new();
-    let tables: Vec<String> = simulation.variables.iter().filter(|page| page.is_active).filter_map(|page| table(page, simulation, language)).collect();
+    let tables: Vec<String> = simulation
+        .variables
+        .iter()
+        .filter(|page| page.is_active)
+        .filter_map(|page| table(page, simulation, language))
+        .collect();
     if !tables.is_empty() {
         blocks.push(format!("## {}", say!(language, "Variables")));
         blocks.extend(tables);
@@ -45,7 +50,8 @@ fn is_active(page: &EvolutionPage) -> bool {
 }
 
 fn codes(title: &str, pages: &[CodePage], blocks: &mut Vec<String>) {
-    let active: Vec<Vec<String>> = pages.iter().filter(|page| page.is_active).map(page_of_code).filter(|page| !page.is_empty()).collect();
+    let active: Vec<Vec<String>> =
+        pages.iter().filter(|page| page.is_active).map(page_of_code).filter(|page| !page.is_empty()).collect();
     if !active.is_empty() {
         blocks.push(format!("## {title}"));
         blocks.extend(active.into_iter().flatten());
@@ -68,17 +74,25 @@ fn table(page: &VariablePage, simulation: &Simulation, language: Language) -> Op
     if page.variables.is_empty() {
         return None;
     }
-    let [name, value, kind, comment, control] =
-        language.say_all(["Name", "Value", "Type", "Comment", "Control"]);
-    let mut lines = vec![heading(&page.name), String::new(), format!("| {name} | {value} | {kind} | {comment} | {control} |"), "|---|---|---|---|---|".to_owned()];
+    let [name, value, kind, comment, control] = language.say_all(["Name", "Value", "Type", "Comment", "Control"]);
+    let mut lines = vec![
+        heading(&page.name),
+        String::new(),
+        format!("| {name} | {value} | {kind} | {comment} | {control} |"),
+        "|---|---|---|---|---|".to_owned(),
+    ];
     for variable in page.variables.iter().filter(|variable| !variable.name.is_empty()) {
         let kind = format!("{}{}", variable.kind, variable.dimension);
         let of_view = simulation.view.iter().find(|element| {
-            ["Value", "Variable", "Checked", "Selected"].iter().any(|property| element.property(property) == Some(&variable.name))
+            ["Value", "Variable", "Checked", "Selected"]
+                .iter()
+                .any(|property| element.property(property) == Some(&variable.name))
         });
-        let control = of_view.map_or_else(String::new, |element| match (element.property("Minimum"), element.property("Maximum")) {
-            (Some(low), Some(high)) => format!("{} {low} .. {high}", element.kind),
-            _ => element.kind.clone(),
+        let control = of_view.map_or_else(String::new, |element| {
+            match (element.property("Minimum"), element.property("Maximum")) {
+                (Some(low), Some(high)) => format!("{} {low} .. {high}", element.kind),
+                _ => element.kind.clone(),
+            }
         });
         let cells = [&variable.name, &variable.value, &kind, &variable.comment, &control].map(|text| cell(text));
         lines.push(format!("| {} |", cells.join(" | ")));
@@ -92,7 +106,11 @@ fn cell(text: &str) -> String {
 }
 
 fn cut(text: &str, longest: usize) -> String {
-    if text.chars().count() <= longest { text.to_owned() } else { text.chars().take(longest - 1).chain(['…']).collect() }
+    if text.chars().count() <= longest {
+        text.to_owned()
+    } else {
+        text.chars().take(longest - 1).chain(['…']).collect()
+    }
 }
 
 fn equations(equations: &Equations, language: Language, blocks: &mut Vec<String>) {

@@ -8,12 +8,35 @@ use units::words;
 
 /// Containers, and elements that a document has by itself or that other parts of the import report.
 const EXPECTED: [&str; 25] = [
-    "Panel", "TabbedPanel", "Frame", "Window", "Dialog", "Separator", "Label", "DrawingPanel", "PlottingPanel", "Slider",
-    "ParsedField", "NumberField", "Field", "CheckBox", "RadioButton", "ComboBox", "TwoStateButton", "Button", "Shape2D",
-    "Segment2D", "Arrow2D", "Spring2D", "Text2D", "Image2D", "Trail2D",
+    "Panel",
+    "TabbedPanel",
+    "Frame",
+    "Window",
+    "Dialog",
+    "Separator",
+    "Label",
+    "DrawingPanel",
+    "PlottingPanel",
+    "Slider",
+    "ParsedField",
+    "NumberField",
+    "Field",
+    "CheckBox",
+    "RadioButton",
+    "ComboBox",
+    "TwoStateButton",
+    "Button",
+    "Shape2D",
+    "Segment2D",
+    "Arrow2D",
+    "Spring2D",
+    "Text2D",
+    "Image2D",
+    "Trail2D",
 ];
 /// Calls of the player, which the page has by itself.
-const PLAYER: [&str; 9] = ["_play", "_pause", "_reset", "_initialize", "_step", "_update", "_resetView", "_playpause", "_togglePlay"];
+const PLAYER: [&str; 9] =
+    ["_play", "_pause", "_reset", "_initialize", "_step", "_update", "_resetView", "_playpause", "_togglePlay"];
 
 /// Reports elements, code of elements and parts of the model that a document has no form for. `follows`: true for a variable
 /// that follows the others by itself, so that code which sets it again is not needed.
@@ -24,7 +47,11 @@ pub(crate) fn report_view(simulation: &Simulation, follows: &dyn Fn(&str) -> boo
         let is_known = EXPECTED.contains(&element.kind.as_str()) || is_drawn;
         if !is_known {
             let kind = shown(&element.kind);
-            report.add(EntryKind::Left, Place::new(Section::View, ""), words!("Elements of the kind {kind} are not carried over."));
+            report.add(
+                EntryKind::Left,
+                Place::new(Section::View, ""),
+                words!("Elements of the kind {kind} are not carried over."),
+            );
         } else if is_shape(&element.kind) && is_in_plot(simulation, element) {
             report.add(EntryKind::Left, place.clone(), words!("The element is not carried over: it stands in a plot."));
         }
@@ -41,10 +68,18 @@ pub(crate) fn report_view(simulation: &Simulation, follows: &dyn Fn(&str) -> boo
     }
     for class in &simulation.model_elements {
         let class = shown(class.rsplit('.').next().unwrap_or_default());
-        report.add(EntryKind::Left, Place::new(Section::Elements, ""), words!("The element {class} of the model is not carried over."));
+        report.add(
+            EntryKind::Left,
+            Place::new(Section::Elements, ""),
+            words!("The element {class} of the model is not carried over."),
+        );
     }
     if simulation.further_views > 0 {
-        report.add(EntryKind::Left, Place::new(Section::View, ""), words!("Further views are not carried over: only the first one is."));
+        report.add(
+            EntryKind::Left,
+            Place::new(Section::View, ""),
+            words!("Further views are not carried over: only the first one is."),
+        );
     }
 }
 

@@ -3,7 +3,10 @@
 use units::Language;
 
 const WORDS: [(Language, [&str; 14]); 3] = [
-    (Language::English, ["the", "of", "and", "is", "to", "in", "with", "for", "this", "are", "by", "on", "you", "that"]),
+    (
+        Language::English,
+        ["the", "of", "and", "is", "to", "in", "with", "for", "this", "are", "by", "on", "you", "that"],
+    ),
     (Language::Spanish, ["el", "los", "las", "una", "del", "y", "con", "para", "se", "un", "por", "en", "es", "la"]),
     (Language::Portuguese, ["o", "os", "as", "uma", "do", "da", "em", "um", "com", "para", "não", "são", "e", "ao"]),
 ];

@@ -10,7 +10,8 @@ pub(crate) fn escaped(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let mut escaped = String::new();
     for (at, letter) in letters.iter().enumerate() {
-        let is_inside = |at: Option<usize>| at.and_then(|at| letters.get(at)).is_some_and(|other| other.is_alphanumeric());
+        let is_inside =
+            |at: Option<usize>| at.and_then(|at| letters.get(at)).is_some_and(|other| other.is_alphanumeric());
         let is_markup = match letter {
             '*' | '`' | '$' | '[' | ']' | '<' | '\\' | '~' | '{' => true,
             '_' => !(is_inside(at.checked_sub(1)) && is_inside(Some(at + 1))),
@@ -45,12 +46,15 @@ pub(crate) fn wrapped(text: &str) -> String {
 
 /// A word at the start of a line, escaped where it would begin a heading, a list, a quotation or a rule.
 fn at_start(word: &str) -> String {
-    let is_number = word.strip_suffix(['.', ')']).is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()));
+    let is_number = word
+        .strip_suffix(['.', ')'])
+        .is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()));
     if is_number {
         let (number, mark) = word.split_at(word.len() - 1);
         return format!("{number}\\{mark}");
     }
-    let is_mark = word.starts_with(['#', '>', '=', '|']) || word.chars().all(|letter| matches!(letter, '-' | '+' | '='));
+    let is_mark =
+        word.starts_with(['#', '>', '=', '|']) || word.chars().all(|letter| matches!(letter, '-' | '+' | '='));
     if is_mark { format!("\\{word}") } else { word.to_owned() }
 }
 
@@ -92,7 +96,11 @@ fn divided(line: &str) -> Vec<String> {
     let mut rest: Vec<char> = line.chars().collect();
     let mut pieces = Vec::new();
     while rest.len() > LONGEST_CODE {
-        let at = rest[..LONGEST_CODE].iter().rposition(|letter| *letter == ' ').filter(|at| *at > LONGEST_CODE / 2).unwrap_or(LONGEST_CODE);
+        let at = rest[..LONGEST_CODE]
+            .iter()
+            .rposition(|letter| *letter == ' ')
+            .filter(|at| *at > LONGEST_CODE / 2)
+            .unwrap_or(LONGEST_CODE);
         pieces.push(rest.drain(..at).collect());
     }
     pieces.push(rest.into_iter().collect());

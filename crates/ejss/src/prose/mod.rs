@@ -92,7 +92,8 @@ impl Writer {
                 self.end_block();
                 self.heading = name[1..].parse::<usize>().unwrap_or(2).max(2);
             }
-            "p" | "div" | "section" | "article" | "center" | "blockquote" | "hr" | "body" | "form" | "header" | "footer" => {
+            "p" | "div" | "section" | "article" | "center" | "blockquote" | "hr" | "body" | "form" | "header"
+            | "footer" => {
                 self.end_paragraph();
             }
             "br" if self.tables == 0 => self.end_paragraph(),
@@ -263,7 +264,8 @@ impl Writer {
         let rows = std::mem::take(&mut self.rows);
         self.row.clear();
         let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
-        let longest = rows.iter().map(|row| row.iter().map(|cell| cell.chars().count() + 3).sum::<usize>()).max().unwrap_or(0);
+        let longest =
+            rows.iter().map(|row| row.iter().map(|cell| cell.chars().count() + 3).sum::<usize>()).max().unwrap_or(0);
         // Tables that only place things, or with long lines, are read cell by cell.
         if columns < 2 || rows.len() < 2 || longest > 180 {
             for cell in rows.into_iter().flatten().filter(|cell| !cell.is_empty()) {
@@ -288,10 +290,15 @@ fn is_harmless(address: &str) -> bool {
     let lower = address.to_ascii_lowercase();
     ["http://", "https://", "mailto:"].iter().any(|scheme| lower.starts_with(scheme))
         && address.chars().count() <= LONGEST_ADDRESS
-        && address.chars().all(|letter| letter.is_ascii_graphic() && !matches!(letter, '(' | ')' | '<' | '>' | '`' | '[' | ']' | '\\'))
+        && address.chars().all(|letter| {
+            letter.is_ascii_graphic() && !matches!(letter, '(' | ')' | '<' | '>' | '`' | '[' | ']' | '\\')
+        })
 }
 
 fn is_list(block: &str) -> bool {
     let first = block.trim_start();
-    first.starts_with("- ") || first.split_once(". ").is_some_and(|(number, _)| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+    first.starts_with("- ")
+        || first
+            .split_once(". ")
+            .is_some_and(|(number, _)| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }

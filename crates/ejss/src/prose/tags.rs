@@ -39,7 +39,10 @@ pub(super) fn pieces(html: &str) -> Vec<Piece> {
             } else if SKIPPED.contains(&name.as_str()) {
                 let close = format!("</{name}");
                 let end = rest.to_ascii_lowercase().find(&close);
-                rest = end.and_then(|end| rest.get(end..)).and_then(|rest| rest.split_once('>')).map_or("", |(_, after)| after);
+                rest = end
+                    .and_then(|end| rest.get(end..))
+                    .and_then(|rest| rest.split_once('>'))
+                    .map_or("", |(_, after)| after);
             } else if !name.is_empty() {
                 pieces.push(Piece::Open(name, attributes(inner)));
             }
@@ -51,7 +54,8 @@ pub(super) fn pieces(html: &str) -> Vec<Piece> {
 
 fn push_text(text: &str, pieces: &mut Vec<Piece>) {
     if !text.is_empty() {
-        let text: String = decoded(text).chars().filter(|letter| !letter.is_control() || letter.is_whitespace()).collect();
+        let text: String =
+            decoded(text).chars().filter(|letter| !letter.is_control() || letter.is_whitespace()).collect();
         pieces.push(Piece::Text(text));
     }
 }

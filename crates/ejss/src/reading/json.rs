@@ -2,7 +2,9 @@
 
 use super::DEEPEST;
 use crate::refusal::Refusal;
-use crate::simulation::{CodePage, DescriptionPage, Element, Equations, Event, EvolutionPage, Simulation, Variable, VariablePage};
+use crate::simulation::{
+    CodePage, DescriptionPage, Element, Equations, Event, EvolutionPage, Simulation, Variable, VariablePage,
+};
 use serde_json::Value;
 
 /// The simulation of a text.

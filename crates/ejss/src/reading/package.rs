@@ -5,8 +5,8 @@ use crate::refusal::Refusal;
 use base64::Engine as _;
 use packed::{Archive, Defect};
 
-/// Greatest size of a picture, in bytes, and of all pictures of a document.
-const MOST_PICTURE: usize = 300 << 10;
+/// Greatest size of a picture, in bytes.
+const MOST_PICTURE: usize = 150 << 10;
 /// Number of bytes expanded at once.
 const PORTION: usize = 1 << 20;
 
@@ -38,7 +38,9 @@ impl Files {
     pub fn source(&self) -> Result<Option<(String, bool)>, Refusal> {
         let Some(archive) = &self.archive else { return Ok(None) };
         let is_json = |name: &str| name.to_ascii_lowercase().ends_with("source.json");
-        let is_source = |name: &&str| is_json(name) || name.to_ascii_lowercase().ends_with(".ejss");
+        let is_hidden = |name: &str| name.split('/').any(|part| part == "__MACOSX" || part.starts_with("._"));
+        let is_source =
+            |name: &&str| !is_hidden(name) && (is_json(name) || name.to_ascii_lowercase().ends_with(".ejss"));
         let name = archive.names().filter(is_source).max_by_key(|name| archive.modified(name));
         let name = name.ok_or(Refusal::NoSource)?;
         let bytes = expanded(archive, name, MOST_BYTES).map_err(|defect| match defect {

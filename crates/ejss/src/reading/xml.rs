@@ -1,7 +1,9 @@
 //! The format `.ejss`. Many files are no well-formed XML, so elements are found by their names; entities are not expanded.
 
 use crate::refusal::Refusal;
-use crate::simulation::{CodePage, DescriptionPage, Element, Equations, Event, EvolutionPage, Simulation, Variable, VariablePage};
+use crate::simulation::{
+    CodePage, DescriptionPage, Element, Equations, Event, EvolutionPage, Simulation, Variable, VariablePage,
+};
 use std::collections::BTreeMap;
 
 /// The simulation of a text.
@@ -11,7 +13,11 @@ use std::collections::BTreeMap;
 pub(super) fn read(text: &str) -> Result<Simulation, Refusal> {
     let Some(start) = text.find("<Osejs") else {
         let lower: String = text.chars().take(4000).collect::<String>().to_ascii_lowercase();
-        return Err(if lower.contains("<html") || lower.contains("<!doctype") { Refusal::ExportedPage } else { Refusal::Unknown });
+        return Err(if lower.contains("<html") || lower.contains("<!doctype") {
+            Refusal::ExportedPage
+        } else {
+            Refusal::Unknown
+        });
     };
     let text = text.get(start..).unwrap_or_default();
     let head = text.split('>').next().unwrap_or_default();
@@ -65,7 +71,11 @@ fn variables(page: &str) -> VariablePage {
         dimension: first(text, "Dimension"),
         comment: first(text, "Comment"),
     };
-    VariablePage { name: first(page, "Name"), is_active: is_active(page), variables: each(page, "Variable").map(variable).collect() }
+    VariablePage {
+        name: first(page, "Name"),
+        is_active: is_active(page),
+        variables: each(page, "Variable").map(variable).collect(),
+    }
 }
 
 fn code(page: &str) -> CodePage {
@@ -116,7 +126,8 @@ fn description(text: &str) -> Vec<DescriptionPage> {
     for page in each(text, "Osejs.Description.Page").filter(|page| is_active(page)) {
         for sheet in each(page, "OneHTMLPage") {
             let is_external = first(sheet, "External") == "true";
-            let body = sheet.find("</External>").map_or(sheet, |at| sheet.get(at + "</External>".len()..).unwrap_or_default());
+            let body =
+                sheet.find("</External>").map_or(sheet, |at| sheet.get(at + "</External>".len()..).unwrap_or_default());
             pages.push(DescriptionPage {
                 title: first(sheet, "Title"),
                 locale: first(sheet, "Locale"),

@@ -5,14 +5,14 @@ use crate::refusal::Unreadable;
 
 /// Operators and brackets, longest first.
 const SIGNS: [&str; 47] = [
-    ">>>=", "===", "!==", ">>>", "<<=", ">>=", "**=", "...", "=>", "==", "!=", "<=", ">=", "&&", "||", "??", "++", "--", "+=",
-    "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<", ">>", "**", "{", "}", "(", ")", "[", "]", ";", ",", "<", ">", "+", "-", "*",
-    "/", "%", "!", "?", ":",
+    ">>>=", "===", "!==", ">>>", "<<=", ">>=", "**=", "...", "=>", "==", "!=", "<=", ">=", "&&", "||", "??", "++",
+    "--", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<", ">>", "**", "{", "}", "(", ")", "[", "]", ";", ",",
+    "<", ">", "+", "-", "*", "/", "%", "!", "?", ":",
 ];
 /// Operators of one character that do not fit into the list above.
 const MORE_SIGNS: [&str; 5] = ["=", ".", "&", "|", "^"];
 /// Upper bound of the number of tokens of a text.
-const MOST_TOKENS: usize = 200_000;
+const MOST_TOKENS: usize = 50_000;
 
 /// Tokens of a text, the last of which is [`TokenKind::End`].
 ///

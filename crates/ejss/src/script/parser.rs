@@ -13,7 +13,7 @@ const DEEPEST: usize = 200;
 /// # Errors
 /// The first place that is no JavaScript of the subset.
 pub(crate) fn parse_program(source: &str) -> Result<Vec<Statement>, Unreadable> {
-    let mut parser = Parser { tokens: tokens(source)?, at: 0, depth: 0 };
+    let mut parser = Parser::new(source)?;
     let mut statements = Vec::new();
     while parser.peek().kind != TokenKind::End {
         statements.extend(parser.statement()?);
@@ -26,7 +26,7 @@ pub(crate) fn parse_program(source: &str) -> Result<Vec<Statement>, Unreadable> 
 /// # Errors
 /// The text is no expression of the subset.
 pub(crate) fn parse_expression(source: &str) -> Result<Expression, Unreadable> {
-    let mut parser = Parser { tokens: tokens(source)?, at: 0, depth: 0 };
+    let mut parser = Parser::new(source)?;
     let expression = parser.expression()?;
     parser.skip(";");
     if parser.peek().kind == TokenKind::End { Ok(expression) } else { Err(parser.unexpected()) }
@@ -34,13 +34,22 @@ pub(crate) fn parse_expression(source: &str) -> Result<Expression, Unreadable> {
 
 pub(super) struct Parser {
     tokens: Vec<Token>,
+    /// Token behind the last one.
+    end: Token,
     at: usize,
     depth: usize,
 }
 
 impl Parser {
+    fn new(source: &str) -> Result<Self, Unreadable> {
+        let tokens = tokens(source)?;
+        let line = tokens.last().map_or(1, |token| token.line);
+        let end = Token { kind: TokenKind::End, line, after_line_end: true };
+        Ok(Self { tokens, end, at: 0, depth: 0 })
+    }
+
     fn peek(&self) -> &Token {
-        self.tokens.get(self.at).unwrap_or_else(|| self.tokens.last().expect("a text ends with a token"))
+        self.tokens.get(self.at).unwrap_or(&self.end)
     }
 
     fn take(&mut self) -> Token {
@@ -120,8 +129,7 @@ impl Parser {
             "return" => {
                 self.take();
                 let ends = self.peek().after_line_end || self.peek().kind.is_sign("}") || self.peek().kind.is_sign(";");
-                let value =
-                    if ends || self.peek().kind == TokenKind::End { None } else { Some(self.expression()?) };
+                let value = if ends || self.peek().kind == TokenKind::End { None } else { Some(self.expression()?) };
                 self.end_of_statement()?;
                 StatementKind::Return(value)
             }
@@ -294,7 +302,10 @@ impl Parser {
                 self.need(":")?;
             }
             let mut body = Vec::new();
-            while !(self.peek().kind.is_name("case") || self.peek().kind.is_name("default") || self.peek().kind.is_sign("}")) {
+            while !(self.peek().kind.is_name("case")
+                || self.peek().kind.is_name("default")
+                || self.peek().kind.is_sign("}"))
+            {
                 if self.peek().kind == TokenKind::End {
                     return Err(self.unexpected());
                 }
@@ -323,8 +334,9 @@ impl Parser {
                 let node = Node::Binary(Operator::Equal, Box::new(subject.clone()), Box::new(value));
                 Expression { node, line }
             });
-            let either = |left: Expression, right: Expression| {
-                Expression { node: Node::Binary(Operator::Or, Box::new(left), Box::new(right)), line }
+            let either = |left: Expression, right: Expression| Expression {
+                node: Node::Binary(Operator::Or, Box::new(left), Box::new(right)),
+                line,
             };
             let Some(condition) = conditions.reduce(either) else { continue };
             otherwise = vec![Statement { kind: StatementKind::If(condition, body, otherwise), line }];

@@ -119,7 +119,9 @@ impl Expression {
             Node::Conditional(condition, yes, no) => vec![condition, yes, no],
             Node::Call(callee, arguments) => std::iter::once(&**callee).chain(arguments).collect(),
             Node::Array(parts) | Node::Other(_, parts) => parts.iter().collect(),
-            Node::Number(..) | Node::Text(_) | Node::Truth(_) | Node::Nothing | Node::Name(_) | Node::Function(_) => Vec::new(),
+            Node::Number(..) | Node::Text(_) | Node::Truth(_) | Node::Nothing | Node::Name(_) | Node::Function(_) => {
+                Vec::new()
+            }
         }
     }
 
@@ -138,9 +140,10 @@ impl Statement {
         match &self.kind {
             StatementKind::If(_, yes, no) => yes.iter().chain(no).collect(),
             StatementKind::Block(inner) | StatementKind::Other(_, _, inner) => inner.iter().collect(),
-            StatementKind::Expression(_) | StatementKind::Declaration(_) | StatementKind::Return(_) | StatementKind::Function(_) => {
-                Vec::new()
-            }
+            StatementKind::Expression(_)
+            | StatementKind::Declaration(_)
+            | StatementKind::Return(_)
+            | StatementKind::Function(_) => Vec::new(),
         }
     }
 

@@ -20,6 +20,8 @@ pub(crate) enum Blocker {
     UnknownState(String),
     /// Delays or discontinuities.
     Extras,
+    /// More rates, events or variables than are translated.
+    TooLarge,
     /// The step is no constant number.
     Step(String),
     /// The time does not begin at 0.
@@ -41,7 +43,7 @@ impl Blocker {
                 words!("code runs after each step (page \"{page}\" of the evolution)")
             }
             Self::ArrayState(name) => {
-                let name = shown(name);
+                let name = shown(name.split('[').next().unwrap_or_default());
                 words!("the state {name} is an array")
             }
             Self::UnknownState(name) => {
@@ -49,6 +51,7 @@ impl Blocker {
                 words!("the state {name} is in no table of variables")
             }
             Self::Extras => words!("its equations have delays or discontinuities"),
+            Self::TooLarge => words!("it has more than 100 rates or events, or more than 1000 variables"),
             Self::Step(step) => {
                 let step = shown(step);
                 words!("the step {step} is no constant number")
@@ -58,9 +61,12 @@ impl Blocker {
                 words!("the time begins at {value}")
             }
             Self::Needed(name, reason) => {
-                let (name, why, section) = (shown(original(name)), reason.obstacle.words(), reason.place.section.words());
+                let (name, why, section) =
+                    (shown(original(name)), reason.obstacle.words(), reason.place.section.words());
                 match reason.place.line {
-                    Some(line) => words!("{name} cannot be translated, and the motion needs it: {why} ({section}, line {line})"),
+                    Some(line) => {
+                        words!("{name} cannot be translated, and the motion needs it: {why} ({section}, line {line})")
+                    }
                     None => words!("{name} cannot be translated, and the motion needs it: {why} ({section})"),
                 }
             }

@@ -130,10 +130,13 @@ impl Run<'_> {
 
     /// Call of a function of the simulation: by its name where all that it reads has its name, else its body with the arguments.
     fn own(&mut self, name: &str, arguments: &[Expression], line: usize) -> Known {
-        let writes = self.facts.function(name).is_some_and(|fact| !self.facts.written_by(&fact.function.body).is_empty());
+        let writes =
+            self.facts.function(name).is_some_and(|fact| !self.facts.written_by(&fact.function.body).is_empty());
         let read = self.facts.read_by(name);
         let is_named = |key: &String| match self.phase {
-            Phase::Start => self.facts.role(key) == Some(Role::Constant) && self.is_settled(key) && self.values.contains_key(key),
+            Phase::Start => {
+                self.facts.role(key) == Some(Role::Constant) && self.is_settled(key) && self.values.contains_key(key)
+            }
             Phase::Motion | Phase::Fixed => self.is_settled(key),
             Phase::Event => !self.values.contains_key(key),
             Phase::Function => true,
@@ -216,7 +219,9 @@ pub(super) fn function_value(run: &mut Run, name: &str) -> Known {
         run.list(&function.body, 0)
     });
     match returned {
-        Some(Ok(Value::Nothing)) | None => Err(Reason { place: fact.place.clone(), obstacle: Obstacle::Call(name.to_owned()) }),
+        Some(Ok(Value::Nothing)) | None => {
+            Err(Reason { place: fact.place.clone(), obstacle: Obstacle::Call(name.to_owned()) })
+        }
         Some(known) => known,
     }
 }

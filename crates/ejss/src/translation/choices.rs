@@ -22,7 +22,12 @@ pub(super) struct Choice {
 }
 
 /// Choices of the view. `start`: values at the start by the names of the variables. Combo boxes without a counterpart are reported.
-pub(super) fn choices(simulation: &Simulation, facts: &Facts, start: &dyn Fn(&str) -> Option<Value>, report: &mut Report) -> Vec<Choice> {
+pub(super) fn choices(
+    simulation: &Simulation,
+    facts: &Facts,
+    start: &dyn Fn(&str) -> Option<Value>,
+    report: &mut Report,
+) -> Vec<Choice> {
     let mut found: Vec<Choice> = Vec::new();
     for element in simulation.view.iter().filter(|element| element.kind == "ComboBox") {
         let place = Place::new(Section::View, &element.name);
@@ -30,7 +35,11 @@ pub(super) fn choices(simulation: &Simulation, facts: &Facts, start: &dyn Fn(&st
             Ok(choice) => {
                 let is_taken = |name: &String| found.iter().any(|other| sets(other).contains(&name));
                 if sets(&choice).into_iter().any(is_taken) {
-                    report.add(EntryKind::Left, place, words!("Another combo box sets the same variables. This one is not carried over."));
+                    report.add(
+                        EntryKind::Left,
+                        place,
+                        words!("Another combo box sets the same variables. This one is not carried over."),
+                    );
                 } else {
                     found.push(choice);
                 }
@@ -55,7 +64,8 @@ fn choice(element: &Element, facts: &Facts, start: &dyn Fn(&str) -> Option<Value
     let statements = parse_program(code).map_err(|unreadable| unreadable.obstacle)?;
     let mut by_option: BTreeMap<String, BTreeMap<String, Value>> = BTreeMap::new();
     branches(&statements, facts, &options, &mut by_option)?;
-    let names: Vec<String> = by_option.values().next().map(|values| values.keys().cloned().collect()).unwrap_or_default();
+    let names: Vec<String> =
+        by_option.values().next().map(|values| values.keys().cloned().collect()).unwrap_or_default();
     let mut alternatives = Vec::new();
     for option in &options {
         let values = by_option.get(option).ok_or_else(|| Obstacle::NoValue(option.clone()))?;
@@ -121,7 +131,9 @@ fn branches(
                     branches(no, facts, options, found)?;
                 }
             }
-            StatementKind::Block(inner) | StatementKind::Other("for", _, inner) => branches(inner, facts, options, found)?,
+            StatementKind::Block(inner) | StatementKind::Other("for", _, inner) => {
+                branches(inner, facts, options, found)?
+            }
             _ => {
                 if !assignments(std::slice::from_ref(statement), facts)?.is_empty() {
                     return Err(Obstacle::Statement("OnChange".to_owned()));
@@ -138,7 +150,9 @@ fn compared(condition: &Expression, options: &[String]) -> Option<Vec<String>> {
     match operator {
         Operator::Or => Some(compared(left, options)?.into_iter().chain(compared(right, options)?).collect()),
         Operator::Equal => match (&left.node, &right.node) {
-            (Node::Text(text), _) | (_, Node::Text(text)) => Some(vec![options.iter().find(|option| *option == text)?.clone()]),
+            (Node::Text(text), _) | (_, Node::Text(text)) => {
+                Some(vec![options.iter().find(|option| *option == text)?.clone()])
+            }
             _ => None,
         },
         _ => None,

@@ -92,14 +92,18 @@ fn label_of(simulation: &Simulation, index: usize) -> Label {
     if let Some(own) = text(element, "Text").filter(|text| !text.is_empty() && element.kind != "Label") {
         return label(&own);
     }
-    let before = simulation.view.get(..index).unwrap_or_default().iter().rev().find(|other| other.parent == element.parent);
+    let before =
+        simulation.view.get(..index).unwrap_or_default().iter().rev().find(|other| other.parent == element.parent);
     let text = before.filter(|before| before.kind == "Label").and_then(|before| text(before, "Text"));
     if let Some(text) = text {
         return label(&text);
     }
     // Sliders may show a format such as "k = 0.00 N/m".
     let format = element.property("Format").and_then(|_| self::text(element, "Format"));
-    format.filter(|format| format.contains('=')).map(|format| label(format.split('=').next().unwrap_or_default())).unwrap_or_default()
+    format
+        .filter(|format| format.contains('='))
+        .map(|format| label(format.split('=').next().unwrap_or_default()))
+        .unwrap_or_default()
 }
 
 /// Text and unit of a label such as `k [N/m] = ` or `mass (kg)`.

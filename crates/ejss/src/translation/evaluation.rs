@@ -8,8 +8,20 @@ use crate::script::{Expression, Node, Operator};
 
 /// Roots of paths that lead to the page, the view or the player.
 const OUTSIDE: [&str; 14] = [
-    "_view", "_model", "_tools", "document", "window", "navigator", "console", "screen", "alert", "localStorage", "location", "jQuery",
-    "$", "event",
+    "_view",
+    "_model",
+    "_tools",
+    "document",
+    "window",
+    "navigator",
+    "console",
+    "screen",
+    "alert",
+    "localStorage",
+    "location",
+    "jQuery",
+    "$",
+    "event",
 ];
 
 impl Run<'_> {
@@ -210,7 +222,9 @@ impl Run<'_> {
                 let neither = left.clone().not().and(right.clone().not());
                 Ok(left.and(right).or(neither))
             }
-            _ if matches!(left, Value::Join(_)) || matches!(right, Value::Join(_)) => Err(self.reason(line, Obstacle::Text)),
+            _ if matches!(left, Value::Join(_)) || matches!(right, Value::Join(_)) => {
+                Err(self.reason(line, Obstacle::Text))
+            }
             _ => Ok(Value::binary(Operator::Equal, left, right)),
         }
     }
@@ -240,9 +254,12 @@ impl Run<'_> {
     pub fn kind(&self, value: &Value) -> Option<Kind> {
         match value {
             Value::Nothing => None,
-            Value::Number(..) | Value::Negative(_) | Value::Call(..) | Value::Start(_) | Value::Own(..) | Value::Decimals(..) => {
-                Some(Kind::Number)
-            }
+            Value::Number(..)
+            | Value::Negative(_)
+            | Value::Call(..)
+            | Value::Start(_)
+            | Value::Own(..)
+            | Value::Decimals(..) => Some(Kind::Number),
             Value::Text(_) | Value::Join(_) => Some(Kind::Text),
             Value::Truth(_) | Value::Not(_) => Some(Kind::Truth),
             Value::Binary(operator, ..) => Some(match operator {

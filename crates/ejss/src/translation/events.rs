@@ -57,9 +57,12 @@ fn at_start(facts: &Facts, motion: &Motion, value: &Value) -> Option<f64> {
         Some(Role::Time) => Some(0.0),
         Some(Role::Computed) | None => None,
         // The values of a table are constants of their own.
-        Some(Role::Constant | Role::State | Role::Discrete) => motion.start.get(name)?.as_ref().ok()?.constant(&|inner| {
-            motion.start.get(inner)?.as_ref().ok()?.constant(&|_| None)
-        }),
+        Some(Role::Constant | Role::State | Role::Discrete) => motion
+            .start
+            .get(name)?
+            .as_ref()
+            .ok()?
+            .constant(&|inner| motion.start.get(inner)?.as_ref().ok()?.constant(&|_| None)),
     })
 }
 
@@ -81,14 +84,20 @@ fn texts(facts: &Facts, event: &SolvedEvent, report: &mut Report) -> Vec<EventTe
             }
             (Err(reason), _) => report.quantity_left(name, reason),
             (Ok(_), _) => {
-                report.add(EntryKind::Left, event.place.clone(), words!("The event sets `{name}`, which is computed anew after each step: this is not carried over."));
+                report.add(
+                    EntryKind::Left,
+                    event.place.clone(),
+                    words!("The event sets `{name}`, which is computed after each step: this is not carried over."),
+                );
             }
         }
     }
-    let behind = |value: &Value| value.map(&mut |part| {
-        let named = actions.iter().find(|(_, value)| value == part && !part.is_plain());
-        named.map(|(name, _)| Value::Name(name.clone()))
-    });
+    let behind = |value: &Value| {
+        value.map(&mut |part| {
+            let named = actions.iter().find(|(_, value)| value == part && !part.is_plain());
+            named.map(|(name, _)| Value::Name(name.clone()))
+        })
+    };
     // A text that keeps its value otherwise, and a pause, go into an event of their own.
     let mut later: Vec<EventText> = Vec::new();
     let mut add_later = |condition: &Value, action: Option<(String, Value)>, stops: bool| {
@@ -120,11 +129,19 @@ fn texts(facts: &Facts, event: &SolvedEvent, report: &mut Report) -> Vec<EventTe
         match value {
             Value::If(condition, yes, no) if is_text && **no == Value::Name(name.clone()) => {
                 if !add_later(condition, Some((name.clone(), (**yes).clone())), false) {
-                    report.add(EntryKind::Left, event.place.clone(), words!("The event sets the text `{name}` under a condition: this is not carried over."));
+                    report.add(
+                        EntryKind::Left,
+                        event.place.clone(),
+                        words!("The event sets the text `{name}` under a condition: this is not carried over."),
+                    );
                 }
             }
             _ if is_text && mentions(value, name) => {
-                report.add(EntryKind::Left, event.place.clone(), words!("The event sets the text `{name}` under a condition: this is not carried over."));
+                report.add(
+                    EntryKind::Left,
+                    event.place.clone(),
+                    words!("The event sets the text `{name}` under a condition: this is not carried over."),
+                );
             }
             _ if *value == Value::Name(name.clone()) => {}
             _ => own.push((name.clone(), value.clone())),
@@ -143,7 +160,9 @@ fn when(quantity: &Value, is_crossing: bool) -> Value {
     let operator = if is_crossing { Operator::Equal } else { Operator::Less };
     match quantity {
         Value::Binary(Operator::Minus, left, right) => Value::Binary(operator, left.clone(), right.clone()),
-        Value::Negative(inner) if !is_crossing => Value::binary(Operator::Greater, (**inner).clone(), Value::number(0.0)),
+        Value::Negative(inner) if !is_crossing => {
+            Value::binary(Operator::Greater, (**inner).clone(), Value::number(0.0))
+        }
         Value::Negative(inner) => Value::binary(operator, (**inner).clone(), Value::number(0.0)),
         other => Value::binary(operator, other.clone(), Value::number(0.0)),
     }

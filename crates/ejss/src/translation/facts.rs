@@ -119,7 +119,8 @@ impl Facts {
             "string" => Kind::Text,
             _ => Kind::Number,
         };
-        let is_array = !variable.dimension.trim().is_empty() || variable.value.trim_start().starts_with(['[', '{'])
+        let is_array = !variable.dimension.trim().is_empty()
+            || variable.value.trim_start().starts_with(['[', '{'])
             || variable.value.trim_start().starts_with("new ");
         self.order.push(variable.name.clone());
         let fact = VariableFact {
@@ -182,14 +183,22 @@ impl Facts {
         written
     }
 
-    fn collect(&self, statements: &[Statement], hidden: &BTreeSet<String>, depth: usize, written: &mut BTreeSet<String>) {
+    fn collect(
+        &self,
+        statements: &[Statement],
+        hidden: &BTreeSet<String>,
+        depth: usize,
+        written: &mut BTreeSet<String>,
+    ) {
         let mut hidden = hidden.clone();
         declared_names(statements, &mut hidden);
         let mut calls = BTreeSet::new();
         for statement in statements {
             statement.walk(&mut |expression| match &expression.node {
                 Node::Assignment(target, ..) => {
-                    if let Some(name) = target.root().filter(|name| !hidden.contains(*name) && self.variables.contains_key(*name)) {
+                    if let Some(name) =
+                        target.root().filter(|name| !hidden.contains(*name) && self.variables.contains_key(*name))
+                    {
                         written.insert(name.to_owned());
                     }
                 }
@@ -237,7 +246,8 @@ fn unread(code: &str, line: usize) -> Statement {
     let mut rest = code;
     while let Some(start) = rest.find(|letter: char| letter.is_alphabetic() || matches!(letter, '_' | '$')) {
         let from = rest.get(start..).unwrap_or_default();
-        let end = from.find(|letter: char| !(letter.is_alphanumeric() || matches!(letter, '_' | '$'))).unwrap_or(from.len());
+        let end =
+            from.find(|letter: char| !(letter.is_alphanumeric() || matches!(letter, '_' | '$'))).unwrap_or(from.len());
         let (name, after) = from.split_at(end);
         let sign = after.trim_start();
         let is_written = sign.starts_with(['=', '[', '+', '-', '*', '/', '%']) && !sign.starts_with("==");
@@ -264,7 +274,7 @@ fn declared_names(statements: &[Statement], names: &mut BTreeSet<String>) {
 }
 
 /// The active equations of a simulation, if there is exactly one page of them.
-pub(super) fn active_equations(simulation: &Simulation) -> Vec<&Equations> {
+pub(crate) fn active_equations(simulation: &Simulation) -> Vec<&Equations> {
     let equations = simulation.evolution.iter().filter_map(|page| match page {
         EvolutionPage::Equations(equations) if equations.is_active => Some(equations),
         _ => None,

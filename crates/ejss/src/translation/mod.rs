@@ -21,5 +21,6 @@ mod value;
 mod writing;
 
 pub(crate) use blocker::Blocker;
+pub(crate) use facts::active_equations;
 pub(crate) use method::method_of;
 pub(crate) use solved::{Document, Solved};

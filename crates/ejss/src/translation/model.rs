@@ -38,10 +38,20 @@ impl Solved {
         let Writer { names, lines, .. } = writer;
         let spelling = |key: &str| names.spelling(key);
         let plots = plots::lines(&self.plots, &spelling);
-        let names = self.facts.order.iter().filter(|name| self.is_written(name)).map(|name| (name.clone(), names.spelling(name))).collect();
+        let names = self
+            .facts
+            .order
+            .iter()
+            .filter(|name| self.is_written(name))
+            .map(|name| (name.clone(), names.spelling(name)))
+            .collect();
         if !has_scene && self.has_picture() {
             let place = Place::new(Section::View, "");
-            report.add(EntryKind::Left, place, words!("The drawing is not carried over: the checker does not accept it."));
+            report.add(
+                EntryKind::Left,
+                place,
+                words!("The drawing is not carried over: the checker does not accept it."),
+            );
         }
         let scene = self.picture.as_ref().filter(|_| has_scene).map(|picture| {
             let unit = if has_units { self.units.get(picture.quantity().unwrap_or_default()).cloned() } else { None };
@@ -72,7 +82,10 @@ impl Writer<'_> {
         for key in keys {
             if let Some(name) = self.names.declare(key) {
                 let original = super::names::original(key);
-                let place = solved.facts.variable(key).map_or_else(|| Place::new(Section::Variables, ""), |fact| fact.place.clone());
+                let place = solved
+                    .facts
+                    .variable(key)
+                    .map_or_else(|| Place::new(Section::Variables, ""), |fact| fact.place.clone());
                 report.add(EntryKind::Changed, place, words!("`{original}` is called `{name}` here."));
             }
         }
@@ -81,7 +94,9 @@ impl Writer<'_> {
             let mut used = BTreeSet::new();
             if let Some(value) = solved.functions.value(name) {
                 value.walk(&mut |part| match part {
-                    Value::Name(key) | Value::Own(key, _) if !key.contains(ARGUMENT) => _ = used.insert(self.names.spelling(key)),
+                    Value::Name(key) | Value::Own(key, _) if !key.contains(ARGUMENT) => {
+                        _ = used.insert(self.names.spelling(key))
+                    }
                     _ => {}
                 });
             }
@@ -121,11 +136,17 @@ impl Writer<'_> {
 
     /// Label of a quantity: of its control, else its comment.
     fn label(&self, key: &str) -> String {
-        let of_control = self.solved.controls.iter().find(|control| control.variable == key && !control.label.text.is_empty());
+        let of_control =
+            self.solved.controls.iter().find(|control| control.variable == key && !control.label.text.is_empty());
         let text = match of_control {
             Some(control) => control.label.text.clone(),
             None => {
-                let Label { text, .. } = self.solved.facts.variable(key).map(|fact| label(&crate::prose::plain_text(&fact.comment))).unwrap_or_default();
+                let Label { text, .. } = self
+                    .solved
+                    .facts
+                    .variable(key)
+                    .map(|fact| label(&crate::prose::plain_text(&fact.comment)))
+                    .unwrap_or_default();
                 text
             }
         };
@@ -211,9 +232,16 @@ impl Writer<'_> {
 
     fn functions(&mut self) {
         for name in &self.solved.functions.order {
-            let (Some(fact), Some(value)) = (self.solved.facts.function(name), self.solved.functions.value(name)) else { continue };
-            let arguments: Vec<String> =
-                fact.function.arguments.iter().map(|argument| self.names.spelling(&super::calls::argument_key(name, argument))).collect();
+            let (Some(fact), Some(value)) = (self.solved.facts.function(name), self.solved.functions.value(name))
+            else {
+                continue;
+            };
+            let arguments: Vec<String> = fact
+                .function
+                .arguments
+                .iter()
+                .map(|argument| self.names.spelling(&super::calls::argument_key(name, argument)))
+                .collect();
             let left = format!("function {}({})", self.names.spelling(name), arguments.join(", "));
             let right = self.written(value);
             self.push(&left, &right, "");
@@ -224,7 +252,11 @@ impl Writer<'_> {
         for (key, known) in &self.solved.motion.definitions {
             let (true, Ok(value)) = (self.solved.used.contains(key), known) else { continue };
             let label = self.label(key);
-            let unit = if self.has_units && self.solved.units.contains_key(key) { self.unit_of(value, key) } else { String::new() };
+            let unit = if self.has_units && self.solved.units.contains_key(key) {
+                self.unit_of(value, key)
+            } else {
+                String::new()
+            };
             let right = match value {
                 // A definition that is always true or false compares two numbers.
                 Value::Truth(truth) => format!("0 {} 0", if *truth { "==" } else { "!=" }),

@@ -71,9 +71,17 @@ impl Motion {
             dropped(&run, report);
             motion.blockers.append(&mut run.blockers);
             let actions = run.order.iter().filter(|key| facts.variable(key).is_some());
-            let actions = actions.map(|key| (key.clone(), run.values.get(key).cloned().unwrap_or(Ok(Value::Nothing)))).collect();
+            let actions =
+                actions.map(|key| (key.clone(), run.values.get(key).cloned().unwrap_or(Ok(Value::Nothing)))).collect();
             let is_crossing = event.kind.to_ascii_uppercase().contains("CROSS");
-            motion.events.push(SolvedEvent { name: event.name.clone(), place, is_crossing, condition, actions, pauses: run.pauses });
+            motion.events.push(SolvedEvent {
+                name: event.name.clone(),
+                place,
+                is_crossing,
+                condition,
+                actions,
+                pauses: run.pauses,
+            });
         }
         motion
     }
@@ -88,16 +96,22 @@ impl Motion {
             let value = if fact.value.trim().is_empty() {
                 node(Node::Nothing)
             } else {
-                parse_expression(&fact.value).map_or_else(|_| node(Node::Other("value", Vec::new())), |mut value| {
-                    value.line = line;
-                    Box::new(value)
-                })
+                parse_expression(&fact.value).map_or_else(
+                    |_| node(Node::Other("value", Vec::new())),
+                    |mut value| {
+                        value.line = line;
+                        Box::new(value)
+                    },
+                )
             };
             let assignment = node(Node::Assignment(node(Node::Name(name.clone())), None, value));
             let statement = Statement { kind: StatementKind::Expression(*assignment), line };
             match pages.last_mut().filter(|page| page.place.page == fact.place.page) {
                 Some(page) => page.statements.push(statement),
-                None => pages.push(Page { place: Place::new(Section::Variables, &fact.place.page), statements: vec![statement] }),
+                None => pages.push(Page {
+                    place: Place::new(Section::Variables, &fact.place.page),
+                    statements: vec![statement],
+                }),
             }
         }
         pages.extend(facts.initialization.iter().cloned());
@@ -194,7 +208,8 @@ impl Motion {
             let Some(later) = later else { continue };
             let mut search = Search::new(facts, self);
             search.key(&later);
-            let place = facts.variable(key).map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
+            let place =
+                facts.variable(key).map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
             if search.found.contains(key) {
                 let reason = Reason { place, obstacle: Obstacle::Past(later) };
                 if let Some((_, known)) = self.definitions.get_mut(index) {

@@ -9,16 +9,96 @@ pub(super) const ARGUMENT: char = '\u{3}';
 
 /// Words of the language at the beginning of a statement or inside one.
 const WORDS: [&str; 43] = [
-    "parameter", "independent", "when", "in", "step", "if", "then", "else", "and", "or", "not", "pi", "switch", "choice", "group",
-    "function", "table", "smooth", "steps", "drawn", "random", "next", "size", "hidden", "button", "every", "let", "stop", "as",
-    "from", "until", "assigned", "for", "true", "false", "on", "off", "by", "discrete", "at", "end", "against", "within",
+    "parameter",
+    "independent",
+    "when",
+    "in",
+    "step",
+    "if",
+    "then",
+    "else",
+    "and",
+    "or",
+    "not",
+    "pi",
+    "switch",
+    "choice",
+    "group",
+    "function",
+    "table",
+    "smooth",
+    "steps",
+    "drawn",
+    "random",
+    "next",
+    "size",
+    "hidden",
+    "button",
+    "every",
+    "let",
+    "stop",
+    "as",
+    "from",
+    "until",
+    "assigned",
+    "for",
+    "true",
+    "false",
+    "on",
+    "off",
+    "by",
+    "discrete",
+    "at",
+    "end",
+    "against",
+    "within",
 ];
 
 /// Functions of the language.
 const FUNCTIONS: [&str; 43] = [
-    "sqrt", "cbrt", "abs", "sign", "exp", "ln", "log", "log10", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh",
-    "tanh", "asinh", "acosh", "atanh", "floor", "ceil", "round", "min", "max", "sum", "mod", "hypot", "norm", "dot", "cross",
-    "coulomb", "uniform", "normal", "maximum", "minimum", "mean", "integral", "count", "histogram", "points", "frequency",
+    "sqrt",
+    "cbrt",
+    "abs",
+    "sign",
+    "exp",
+    "ln",
+    "log",
+    "log10",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asinh",
+    "acosh",
+    "atanh",
+    "floor",
+    "ceil",
+    "round",
+    "min",
+    "max",
+    "sum",
+    "mod",
+    "hypot",
+    "norm",
+    "dot",
+    "cross",
+    "coulomb",
+    "uniform",
+    "normal",
+    "maximum",
+    "minimum",
+    "mean",
+    "integral",
+    "count",
+    "histogram",
+    "points",
+    "frequency",
 ];
 
 /// Spelling of every key.
@@ -58,7 +138,11 @@ impl Names {
 
     /// A name for an event: no name of a quantity, but functions may have it.
     pub fn invent_event(&mut self, wanted: &str) -> String {
-        if FUNCTIONS.contains(&wanted) && self.taken.insert(wanted.to_owned()) { wanted.to_owned() } else { self.invent(wanted) }
+        if FUNCTIONS.contains(&wanted) && self.taken.insert(wanted.to_owned()) {
+            wanted.to_owned()
+        } else {
+            self.invent(wanted)
+        }
     }
 
     pub fn spelling(&self, key: &str) -> String {

@@ -37,7 +37,11 @@ pub(super) fn plots(simulation: &Simulation, facts: &Facts, report: &mut Report)
                     None => own.push(plot(panel, x, y)),
                 },
                 (Ok(_), Ok(_)) => {
-                    report.add(EntryKind::Left, place, words!("The curve is not carried over: its horizontal quantity does not change during a run."));
+                    report.add(
+                        EntryKind::Left,
+                        place,
+                        words!("The curve is not carried over: its horizontal quantity does not change during a run."),
+                    );
                 }
                 (Err(obstacle), _) | (_, Err(obstacle)) => {
                     let why = obstacle.words();
@@ -70,7 +74,10 @@ fn is_trail(element: &Element) -> bool {
 }
 
 fn axis(facts: &Facts, trail: &Element, property: &str) -> Result<Value, Obstacle> {
-    let text = trail.property(property).or_else(|| trail.property(&property.replace("Input", ""))).ok_or(Obstacle::NoValue(property.to_owned()))?;
+    let text = trail
+        .property(property)
+        .or_else(|| trail.property(&property.replace("Input", "")))
+        .ok_or(Obstacle::NoValue(property.to_owned()))?;
     quantity(facts, text)
 }
 
@@ -112,7 +119,9 @@ pub(super) fn lines(plots: &[Plot], spelling: &dyn Fn(&str) -> String) -> Vec<St
         } else {
             // A plot goes on in the next line after a comma.
             let curves = curves.join(",\n    ");
-            lines.extend(format!("{title}: {curves} against {}", written(&plot.against, spelling)).lines().map(str::to_owned));
+            lines.extend(
+                format!("{title}: {curves} against {}", written(&plot.against, spelling)).lines().map(str::to_owned),
+            );
         }
     }
     lines

@@ -288,12 +288,15 @@ impl<'a> Run<'a> {
     fn assignment(&mut self, target: &Expression, operator: Option<Operator>, value: &Expression) {
         let Some(name) = target.name() else {
             // An element of an array, or a property of an element of the view.
-            if let Some(root) = target.root().filter(|root| self.local(root).is_some() || self.facts.variable(root).is_some()) {
+            if let Some(root) =
+                target.root().filter(|root| self.local(root).is_some() || self.facts.variable(root).is_some())
+            {
                 let known = Err(self.reason(target.line, Obstacle::Array(root.to_owned())));
                 let key = self.local(root).cloned().unwrap_or_else(|| root.to_owned());
                 self.set(key, known);
             } else {
-                let obstacle = self.view_obstacle(target).unwrap_or(Obstacle::Name(target.root().unwrap_or_default().to_owned()));
+                let obstacle =
+                    self.view_obstacle(target).unwrap_or(Obstacle::Name(target.root().unwrap_or_default().to_owned()));
                 let reason = self.reason(target.line, obstacle);
                 self.dropped.push(reason);
             }
@@ -331,9 +334,8 @@ impl<'a> Run<'a> {
 
     /// Gives a variable or local its value.
     pub fn set(&mut self, key: String, known: Known) {
-        let known = known.and_then(|value| {
-            if value.size() > LARGEST { Err(self.reason(0, Obstacle::TooLong)) } else { Ok(value) }
-        });
+        let known = known
+            .and_then(|value| if value.size() > LARGEST { Err(self.reason(0, Obstacle::TooLong)) } else { Ok(value) });
         if key.contains(LOCAL)
             && let Ok(value) = &known
             && let Some(kind) = self.kind(value)
@@ -365,7 +367,8 @@ impl<'a> Run<'a> {
             return;
         }
         for key in written {
-            let moves = matches!(self.facts.role(&key), Some(Role::State | Role::Time)) || key == self.facts.equations.increment;
+            let moves = matches!(self.facts.role(&key), Some(Role::State | Role::Time))
+                || key == self.facts.equations.increment;
             if moves && self.phase != Phase::Start {
                 self.blockers.push(reason.clone());
             }
@@ -496,7 +499,9 @@ impl<'a> Run<'a> {
         let name = Value::Name(key.to_owned());
         match (self.phase, fact.role) {
             (Phase::Start, _) => Ok(Value::Nothing),
-            (Phase::Fixed, Role::Computed) if self.own_writes.contains(key) => Err(self.reason(line, Obstacle::Past(key.to_owned()))),
+            (Phase::Fixed, Role::Computed) if self.own_writes.contains(key) => {
+                Err(self.reason(line, Obstacle::Past(key.to_owned())))
+            }
             (Phase::Motion | Phase::Event, Role::Computed) => {
                 self.older.insert(key.to_owned());
                 Ok(name)

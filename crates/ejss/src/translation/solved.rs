@@ -18,6 +18,11 @@ use crate::simulation::{Equations, Simulation};
 use std::collections::{BTreeMap, BTreeSet};
 use units::words;
 
+/// Greatest number of rates, and of events, of a model that is translated.
+const MOST_RATES: usize = 100;
+/// Greatest number of its variables.
+const MOST_VARIABLES: usize = 1000;
+
 /// Translated model.
 #[derive(Debug)]
 pub(crate) struct Solved {
@@ -68,6 +73,10 @@ impl Solved {
         };
         if let Some(page) = evolution_code(simulation) {
             return Err(Blocker::EvolutionCode(page.name.clone()));
+        }
+        let count: usize = simulation.variables.iter().map(|page| page.variables.len()).sum();
+        if equations.rates.len() > MOST_RATES || equations.events.len() > MOST_RATES || count > MOST_VARIABLES {
+            return Err(Blocker::TooLarge);
         }
         if equations.has_extras {
             return Err(Blocker::Extras);
@@ -135,7 +144,11 @@ impl Solved {
         };
         for plot in &mut plots {
             plot.curves.retain(|curve| is_known(curve) && is_known(&plot.against));
-            plot.curves.iter().chain([&plot.against]).filter(|value| is_known(value)).for_each(|value| search.value(value));
+            plot.curves
+                .iter()
+                .chain([&plot.against])
+                .filter(|value| is_known(value))
+                .for_each(|value| search.value(value));
         }
         plots.retain(|plot| !plot.curves.is_empty());
         if let Some(picture) = &mut picture {
@@ -143,11 +156,13 @@ impl Solved {
             picture.values().into_iter().for_each(|value| search.value(value));
         }
         let displayed = controls.iter().map(|control| &control.variable);
-        let computed = facts.order.iter().filter(|name| matches!(facts.role(name), Some(Role::Computed | Role::Discrete)));
+        let computed =
+            facts.order.iter().filter(|name| matches!(facts.role(name), Some(Role::Computed | Role::Discrete)));
         // A constant that is computed from others, such as a period, is a value that the page shows.
         let is_result = |name: &&String| {
             let start = motion.start.get(*name).and_then(|known| known.as_ref().ok());
-            facts.role(name) == Some(Role::Constant) && start.is_some_and(|value| !value.is_plain() && value.constant(&|_| None).is_none())
+            facts.role(name) == Some(Role::Constant)
+                && start.is_some_and(|value| !value.is_plain() && value.constant(&|_| None).is_none())
         };
         let results: Vec<&String> = facts.order.iter().filter(is_result).collect();
         for name in displayed.chain(computed).chain(results.iter().copied()) {
@@ -163,7 +178,11 @@ impl Solved {
         let events = events.into_iter().filter(|event| {
             let is_sound = is_known(&event.condition);
             if !is_sound {
-                report.add(EntryKind::Left, Place::new(Section::Evolution, &event.name), words!("The event is not carried over: it needs a quantity that is not carried over."));
+                report.add(
+                    EntryKind::Left,
+                    Place::new(Section::Evolution, &event.name),
+                    words!("The event is not carried over: it needs a quantity that is not carried over."),
+                );
             }
             is_sound
         });
@@ -181,7 +200,21 @@ impl Solved {
         }
         let units = stated_units(&facts, &motion, &controls, &plots);
         let (used, functions) = (search.found, search.functions);
-        Self { motion, controls, choices, plots, picture, functions, used, units, events, until, step: 0.0, increment: 0.0, facts }
+        Self {
+            motion,
+            controls,
+            choices,
+            plots,
+            picture,
+            functions,
+            used,
+            units,
+            events,
+            until,
+            step: 0.0,
+            increment: 0.0,
+            facts,
+        }
     }
 
     /// The equations as they are stored.
@@ -202,7 +235,8 @@ impl Solved {
     /// Reports quantities that EJS holds through a step, and corners that its steps pass over.
     fn report_held(&self, needed: &BTreeSet<String>, report: &mut Report) {
         for name in &self.motion.held_functions {
-            let place = self.facts.function(name).map_or_else(|| Place::new(Section::Custom, ""), |fact| fact.place.clone());
+            let place =
+                self.facts.function(name).map_or_else(|| Place::new(Section::Custom, ""), |fact| fact.place.clone());
             report.add(
                 EntryKind::Differs,
                 place,
@@ -222,7 +256,10 @@ impl Solved {
             search.key(name);
             let moves = |key: &String| matches!(self.facts.role(key), Some(Role::State | Role::Time | Role::Discrete));
             if search.found.iter().any(moves) {
-                let place = self.facts.variable(name).map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
+                let place = self
+                    .facts
+                    .variable(name)
+                    .map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
                 report.add(
                     EntryKind::Differs,
                     place,
@@ -249,8 +286,11 @@ impl Solved {
                     let mut search = Search::new(&self.facts, &self.motion);
                     search.value(part);
                     let mut has_argument = false;
-                    part.walk(&mut |inner| has_argument |= matches!(inner, Value::Name(name) if name.contains(super::names::ARGUMENT)));
-                    let moves = |key: &String| matches!(self.facts.role(key), Some(Role::State | Role::Time | Role::Discrete));
+                    part.walk(&mut |inner| {
+                        has_argument |= matches!(inner, Value::Name(name) if name.contains(super::names::ARGUMENT))
+                    });
+                    let moves =
+                        |key: &String| matches!(self.facts.role(key), Some(Role::State | Role::Time | Role::Discrete));
                     found = has_argument || search.found.iter().any(moves);
                 }
             });
@@ -263,26 +303,43 @@ impl Solved {
         for name in &self.facts.order {
             let Some(fact) = self.facts.variable(name) else { continue };
             let is_choice = self.choices.iter().any(|choice| choice.name == *name);
-            if self.is_written(name) || is_choice || fact.role == Role::Time || *name == self.facts.equations.increment {
+            if self.is_written(name) || is_choice || fact.role == Role::Time || *name == self.facts.equations.increment
+            {
                 continue;
             }
             match self.motion.defined(&self.facts, name) {
                 Some(Err(reason)) => report.quantity_left(name, reason),
                 Some(Ok(Value::Join(_))) => {
-                    report.add(EntryKind::Left, fact.place.clone(), words!("`{name}` is not carried over: it is a text with values in it."));
+                    report.add(
+                        EntryKind::Left,
+                        fact.place.clone(),
+                        words!("`{name}` is not carried over: it is a text with values in it."),
+                    );
                 }
-                _ if fact.is_array => report.add(EntryKind::Left, fact.place.clone(), words!("`{name}` is not carried over: it is an array.")),
-                _ => report.add(EntryKind::Left, fact.place.clone(), words!("`{name}` is not carried over: nothing in the document uses it.")),
+                _ if fact.is_array => report.add(
+                    EntryKind::Left,
+                    fact.place.clone(),
+                    words!("`{name}` is not carried over: it is an array."),
+                ),
+                _ => report.add(
+                    EntryKind::Left,
+                    fact.place.clone(),
+                    words!("`{name}` is not carried over: nothing in the document uses it."),
+                ),
             }
         }
         for control in self.controls.iter().filter(|control| control.is_editable) {
             let name = &control.variable;
             let is_step = *name == self.facts.equations.increment;
             let why = match self.facts.role(name) {
-                _ if is_step => words!("The control of the step is not carried over: *Numerical method* of the page has one."),
+                _ if is_step => {
+                    words!("The control of the step is not carried over: *Numerical method* of the page has one.")
+                }
                 Some(Role::Constant) if self.is_written(name) => continue,
                 Some(Role::State) if self.start_parameter(name).is_some() => continue,
-                Some(Role::Computed | Role::Discrete) => words!("The control of `{name}` is not carried over: the model itself changes it."),
+                Some(Role::Computed | Role::Discrete) => {
+                    words!("The control of `{name}` is not carried over: the model itself changes it.")
+                }
                 Some(Role::Constant | Role::State | Role::Time) | None => {
                     words!("The control of `{name}` is not carried over: nothing in the document uses it.")
                 }
@@ -295,7 +352,8 @@ impl Solved {
 
     /// True if the document declares a variable.
     pub(super) fn is_written(&self, name: &str) -> bool {
-        self.used.contains(name) || self.choices.iter().any(|choice| super::choices::sets(choice).into_iter().any(|own| own == name))
+        self.used.contains(name)
+            || self.choices.iter().any(|choice| super::choices::sets(choice).into_iter().any(|own| own == name))
     }
 
     /// Control that sets a state at the start, if the state begins with a number.

@@ -8,7 +8,12 @@ use super::value::Value;
 use std::collections::BTreeMap;
 
 /// Units by variable; empty if none of a state is known.
-pub(super) fn stated_units(facts: &Facts, motion: &Motion, controls: &[Control], plots: &[Plot]) -> BTreeMap<String, String> {
+pub(super) fn stated_units(
+    facts: &Facts,
+    motion: &Motion,
+    controls: &[Control],
+    plots: &[Plot],
+) -> BTreeMap<String, String> {
     let mut units = BTreeMap::new();
     for control in controls {
         if let Some(unit) = &control.label.unit {

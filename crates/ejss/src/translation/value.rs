@@ -45,7 +45,8 @@ impl Value {
     /// Number as JavaScript writes it, `.5` and `5.` included.
     pub fn literal(text: &str, value: f64) -> Self {
         let text = text.to_ascii_lowercase().replace("e+", "e");
-        let (mantissa, exponent) = text.split_once('e').map_or((text.as_str(), None), |(mantissa, power)| (mantissa, Some(power)));
+        let (mantissa, exponent) =
+            text.split_once('e').map_or((text.as_str(), None), |(mantissa, power)| (mantissa, Some(power)));
         let mantissa = mantissa.trim_end_matches('.');
         let zero = if mantissa.starts_with('.') || mantissa.is_empty() { "0" } else { "" };
         let exponent = exponent.map(|power| format!("e{power}")).unwrap_or_default();
@@ -119,7 +120,9 @@ impl Value {
     /// Values directly inside.
     pub fn parts(&self) -> Vec<&Self> {
         match self {
-            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => Vec::new(),
+            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => {
+                Vec::new()
+            }
             Self::Negative(inner) | Self::Not(inner) | Self::Decimals(inner, _) => vec![inner],
             Self::Binary(_, left, right) => vec![left, right],
             Self::If(condition, yes, no) => vec![condition, yes, no],
@@ -147,7 +150,9 @@ impl Value {
         }
         let mut inner = |value: &Self| Box::new(value.map(replace));
         match self {
-            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => self.clone(),
+            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => {
+                self.clone()
+            }
             Self::Negative(value) => Self::Negative(inner(value)),
             Self::Not(value) => Self::Not(inner(value)),
             Self::Decimals(value, count) => Self::Decimals(inner(value), *count),

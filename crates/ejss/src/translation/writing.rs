@@ -6,6 +6,9 @@ use crate::script::Operator;
 /// Longest line of a statement, in characters, before it is divided.
 const LONGEST_LINE: usize = 110;
 
+/// Longest text in quotation marks, in characters.
+const LONGEST_TEXT: usize = 70;
+
 /// Strength of an operator; the weakest is 0.
 const IF: u8 = 0;
 const OR: u8 = 1;
@@ -147,7 +150,12 @@ fn sign(operator: Operator) -> (&'static str, u8) {
 /// Text in quotation marks, without what would end it.
 pub(super) fn quoted(text: &str) -> String {
     let text: String = text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    format!("\"{}\"", text.replace('"', "'").replace('\\', "/").replace('`', "'").trim())
+    let text = text.replace('"', "'").replace('\\', "/").replace('`', "'");
+    let text = text.trim();
+    if text.chars().count() <= LONGEST_TEXT {
+        return format!("\"{text}\"");
+    }
+    format!("\"{}…\"", text.chars().take(LONGEST_TEXT - 1).collect::<String>())
 }
 
 /// Statement `left = right` on lines of bounded length. `behind`: unit, label and comment.

@@ -2,6 +2,7 @@
 
 pub mod carried;
 pub mod diagnostics;
+pub mod imported;
 pub mod links;
 pub mod navigation;
 pub mod opening;

@@ -1,8 +1,9 @@
 //! Opening files picked or dropped by the user.
 
 use crate::app::App;
+use crate::documents::{imported, opening, project};
 use crate::verifying::dialog as verified;
-use crate::{class, documents::opening, documents::project, film, measuring::intake};
+use crate::{class, film, measuring::intake};
 use desk::saved::hand_in::{HandIn, HandInError};
 use document::BlockKind;
 use document::page::{self, Source};
@@ -51,6 +52,14 @@ pub fn open(app: App, files: &FileList) {
             class::open(app);
             class::add_sheets(app, sheets).await;
         }
+        let mut others = Vec::new();
+        for file in files {
+            if imported::is_simulation(&file) || imported::is_packed_simulation(&file).await {
+                return imported::open(app, &file).await;
+            }
+            others.push(file);
+        }
+        let files = others;
         let (projects, files): (Vec<File>, Vec<File>) = files.into_iter().partition(project::is_project);
         if let Some(file) = projects.into_iter().next() {
             project::open(app, &file).await;

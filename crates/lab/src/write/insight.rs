@@ -1,7 +1,7 @@
 //! Help for the word under the cursor: its meaning, the kind of quantity, and the typeset statement. It stands below
 //! the text and is not announced.
 
-use super::{Panel, typing};
+use super::{Panel, imported, typing};
 use crate::app::App;
 use desk::Insight;
 use document::form::CellKind;
@@ -51,13 +51,14 @@ pub fn view(app: App) -> HtmlDiv {
         if word.is_none() && typeset.is_empty() {
             return View::from(span().class("hush").child(words.insight_none));
         }
+        let original = word.as_ref().and_then(|(word, _)| imported::original(app, word));
         let word = word.map(|(word, found)| {
             let dimension = found.dimension.map(|dimension| format!(" ({})", dimension.text(language)));
             let meaning = format!(": {}{}", found.meaning.text(language), dimension.unwrap_or_default());
             span().class("meaning").child(code().child(word)).child(meaning)
         });
         let typeset = (!typeset.is_empty()).then(|| span().class("typeset").inner_html(typeset));
-        span().class("insight-line").maybe(word).maybe(typeset).into()
+        span().class("insight-line").maybe(word).maybe(typeset).maybe(original).into()
     };
     div()
         .class("insight")

@@ -6,6 +6,7 @@ mod draft;
 mod editor;
 mod fields;
 mod findings;
+mod imported;
 mod insight;
 pub mod kept;
 mod layout;
@@ -80,6 +81,7 @@ pub fn view(app: App) -> View {
                 .child(layout::view(app)),
         )
         .child(findings::view(app))
+        .child(imported::view(app))
         .into()
 }
 

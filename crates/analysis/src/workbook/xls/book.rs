@@ -1,10 +1,10 @@
 //! Properties of the whole workbook from its stream: sheets, shared texts and number formats (MS-XLS, 2.1.7.20.3).
 
 use super::record::{Content, Record};
-use packed::bytes::{double, word};
 use crate::workbook::refusal::WorkbookError;
 use crate::workbook::styles::{self, NumberFormat};
 use crate::workbook::texts::Texts;
+use packed::bytes::{double, word};
 use std::collections::BTreeMap;
 use units::order::sort_by_key;
 

@@ -1,7 +1,7 @@
 //! Records of a workbook stream (BIFF), and the texts in them.
 
-use packed::bytes::{double, word};
 use crate::import;
+use packed::bytes::{double, word};
 
 /// Kind of a record that continues the one before it.
 const CONTINUE: u16 = 0x003c;

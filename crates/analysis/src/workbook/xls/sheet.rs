@@ -2,9 +2,9 @@
 
 use super::book::{BOF, Book, EOF};
 use super::record::{Content, Record, rk};
-use packed::bytes::{double, float, word};
 use crate::workbook::refusal::WorkbookError;
 use crate::workbook::sheet::Lines;
+use packed::bytes::{double, float, word};
 
 const LABEL_SST: u16 = 0x00fd;
 const LABEL: u16 = 0x0204;

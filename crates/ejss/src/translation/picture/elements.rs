@@ -18,13 +18,39 @@ use units::words;
 const DEEPEST: usize = 8;
 /// Colours of CSS that pass from the view into the drawing.
 const COLOURS: [&str; 28] = [
-    "red", "green", "blue", "yellow", "orange", "black", "white", "gray", "grey", "cyan", "magenta", "pink", "purple", "brown",
-    "darkgreen", "darkblue", "darkred", "lightblue", "lightgreen", "lightgray", "darkgray", "gold", "silver", "navy", "olive",
-    "teal", "maroon", "none",
+    "red",
+    "green",
+    "blue",
+    "yellow",
+    "orange",
+    "black",
+    "white",
+    "gray",
+    "grey",
+    "cyan",
+    "magenta",
+    "pink",
+    "purple",
+    "brown",
+    "darkgreen",
+    "darkblue",
+    "darkred",
+    "lightblue",
+    "lightgreen",
+    "lightgray",
+    "darkgray",
+    "gold",
+    "silver",
+    "navy",
+    "olive",
+    "teal",
+    "maroon",
+    "none",
 ];
 
 /// Kinds of elements with a counterpart.
-const DRAWN: [&str; 9] = ["Shape2D", "Segment2D", "Arrow2D", "Spring2D", "Text2D", "Image2D", "Trail2D", "Trace", "Group2D"];
+const DRAWN: [&str; 9] =
+    ["Shape2D", "Segment2D", "Arrow2D", "Spring2D", "Text2D", "Image2D", "Trail2D", "Trace", "Group2D"];
 
 /// True for an element that the drawing carries over.
 pub(in super::super) fn is_drawn(kind: &str) -> bool {
@@ -32,7 +58,13 @@ pub(in super::super) fn is_drawn(kind: &str) -> bool {
 }
 
 /// Items for the elements directly inside a container.
-pub(super) fn items(simulation: &Simulation, container: usize, facts: &Facts, files: &Files, report: &mut Report) -> Vec<Item> {
+pub(super) fn items(
+    simulation: &Simulation,
+    container: usize,
+    facts: &Facts,
+    files: &Files,
+    report: &mut Report,
+) -> Vec<Item> {
     let scene = Scene { simulation, facts, files };
     scene.inside(container, 0, report)
 }
@@ -46,7 +78,9 @@ struct Scene<'a> {
 impl Scene<'_> {
     fn inside(&self, container: usize, depth: usize, report: &mut Report) -> Vec<Item> {
         let mut items = Vec::new();
-        for (index, element) in self.simulation.view.iter().enumerate().filter(|(_, element)| element.parent == Some(container)) {
+        for (index, element) in
+            self.simulation.view.iter().enumerate().filter(|(_, element)| element.parent == Some(container))
+        {
             if !is_drawn(&element.kind) {
                 continue;
             }
@@ -64,7 +98,13 @@ impl Scene<'_> {
     }
 
     /// Counterpart of an element; `None` for one that is never visible.
-    fn item(&self, index: usize, element: &Element, depth: usize, report: &mut Report) -> Result<Option<Item>, Obstacle> {
+    fn item(
+        &self,
+        index: usize,
+        element: &Element,
+        depth: usize,
+        report: &mut Report,
+    ) -> Result<Option<Item>, Obstacle> {
         let visible = match element.property("Visibility").or_else(|| element.property("Visible")) {
             None => None,
             Some(text) => match self.condition(text)? {
@@ -237,7 +277,11 @@ impl Scene<'_> {
         let place = Place::new(Section::View, &element.name);
         match state {
             Some(Value::Name(name)) => item.drag = Some(name.clone()),
-            _ => report.add(EntryKind::Left, place, words!("Dragging this element is not carried over: its place is no state.")),
+            _ => report.add(
+                EntryKind::Left,
+                place,
+                words!("Dragging this element is not carried over: its place is no state."),
+            ),
         }
     }
 }
@@ -298,6 +342,8 @@ fn colour(element: &Element, property: &str) -> Option<String> {
         let [red, green, blue, ..] = parts.as_slice() else { return None };
         return Some(format!("#{red:02x}{green:02x}{blue:02x}"));
     }
-    let is_hexadecimal = name.strip_prefix('#').is_some_and(|digits| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit()));
+    let is_hexadecimal = name
+        .strip_prefix('#')
+        .is_some_and(|digits| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit()));
     (COLOURS.contains(&name.as_str()) || is_hexadecimal).then_some(name)
 }

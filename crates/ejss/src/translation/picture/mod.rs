@@ -66,7 +66,11 @@ pub(super) fn picture(simulation: &Simulation, facts: &Facts, files: &Files, rep
         None => default,
         Some(text) => {
             if !text.trim_start_matches('-').starts_with(|first: char| first.is_ascii_digit() || first == '.') {
-                report.add(EntryKind::Changed, place.clone(), words!("The range of the panel depends on quantities. Here it is the one at the start."));
+                report.add(
+                    EntryKind::Changed,
+                    place.clone(),
+                    words!("The range of the panel depends on quantities. Here it is the one at the start."),
+                );
             }
             constant(facts, text).unwrap_or(default)
         }
@@ -78,7 +82,11 @@ pub(super) fn picture(simulation: &Simulation, facts: &Facts, files: &Files, rep
         return None;
     }
     if panel.property("SquareAspect") != Some("true") && !(0.6..1.7).contains(&(width / height)) {
-        report.add(EntryKind::Changed, place, words!("The panel has different scales on its axes. Here the scale is the same on both."));
+        report.add(
+            EntryKind::Changed,
+            place,
+            words!("The panel has different scales on its axes. Here the scale is the same on both."),
+        );
     }
     let items = elements::items(simulation, index, facts, files, report);
     // Elements inside groups that are no elements of the drawing are listed with the view.
@@ -109,7 +117,7 @@ impl Picture {
             format!("{}..{}{unit}", shortest(low), shortest(high))
         };
         let mut lines = vec![format!("<svg viewBox=\"0 0 {} {}\">", shortest(WIDTH), shortest(self.height))];
-        lines.push(format!("  <title>{}</title>", in_text(title)));
+        lines.push(format!("  <title>{}</title>", in_text(&title.chars().take(40).collect::<String>())));
         lines.push(format!("  <frame x=\"{}\" y=\"{}\">", range(self.x), range(self.y)));
         let writer = Writer { unit, spelling };
         self.items.iter().for_each(|item| writer.item(item, 2, &mut lines));
@@ -125,13 +133,21 @@ fn keep(items: &mut Vec<Item>, is_known: &dyn Fn(&Value) -> bool, report: &mut R
         if let Some(visible) = item.visible.clone().filter(|visible| !is_known(visible)) {
             let _ = visible;
             item.visible = None;
-            report.add(EntryKind::Changed, Place::new(Section::View, &item.name), words!("The element is always visible here."));
+            report.add(
+                EntryKind::Changed,
+                Place::new(Section::View, &item.name),
+                words!("The element is always visible here."),
+            );
         }
         let mut own = Item { children: Vec::new(), ..item.clone() };
         own.visible = None;
         let known = own.values().into_iter().all(is_known);
         if !known {
-            report.add(EntryKind::Left, Place::new(Section::View, &item.name), words!("The element is not carried over: it needs a quantity that is not carried over."));
+            report.add(
+                EntryKind::Left,
+                Place::new(Section::View, &item.name),
+                words!("The element is not carried over: it needs a quantity that is not carried over."),
+            );
         }
         known && (item.tag != "g" || !item.children.is_empty())
     });

@@ -28,7 +28,9 @@ pub(super) fn content(parts: &[Value], spelling: &dyn Fn(&str) -> String) -> Str
     for part in parts {
         match part {
             Value::Text(text) => content.push_str(&in_text(&keep_blanks(text))),
-            Value::Decimals(value, decimals) => content.push_str(&format!("{{{}:.{decimals}}}", written(value, spelling))),
+            Value::Decimals(value, decimals) => {
+                content.push_str(&format!("{{{}:.{decimals}}}", written(value, spelling)))
+            }
             value => content.push_str(&format!("{{{}}}", written(value, spelling))),
         }
     }

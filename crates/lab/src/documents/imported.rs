@@ -1,0 +1,84 @@
+//! Simulations of Easy JavaScript Simulations: a dropped file becomes a document, with a report beside it.
+
+use crate::app::App;
+use crate::documents::opening;
+use document::page::Source;
+use ejss::{Entry, Imported, Original};
+use js_sys::Uint8Array;
+use std::rc::Rc;
+use units::Words;
+use view::browser;
+use view::panel::tabs;
+use web_sys::File;
+
+/// Report of the last import.
+#[derive(Debug)]
+pub struct Report {
+    /// Name of the file of the document.
+    name: String,
+    imported: Imported,
+}
+
+impl Report {
+    /// True while the document of the import is open.
+    pub fn is_of(&self, app: App) -> bool {
+        app.with(|lab| lab.sources.first().is_some_and(|source| source.name == self.name)) == Some(true)
+    }
+
+    /// What was not carried over.
+    pub fn entries(&self) -> &[Entry] {
+        self.imported.report.entries()
+    }
+
+    /// Reason why the model is listed and not translated.
+    pub fn listed_because(&self) -> Option<&Words> {
+        self.imported.listed_because.as_ref()
+    }
+
+    /// Lines of the original that determine a quantity of the document.
+    pub fn originals(&self, name: &str) -> impl Iterator<Item = &Original> {
+        self.imported.originals.iter().filter(move |original| original.name == name)
+    }
+}
+
+/// True if the name of a file is that of a simulation.
+pub fn is_simulation(file: &File) -> bool {
+    let name = file.name().to_lowercase();
+    name.ends_with(".ejss") || name.ends_with("source.json")
+}
+
+/// True if an archive holds a simulation.
+pub async fn is_packed_simulation(file: &File) -> bool {
+    if !file.name().to_lowercase().ends_with(".zip") {
+        return false;
+    }
+    let bytes = browser::wait(file.array_buffer()).await;
+    bytes.is_ok_and(|bytes| ejss::is_simulation("", &Uint8Array::new(&bytes).to_vec()))
+}
+
+/// Opens the document of a simulation in *Write*, with its report.
+pub async fn open(app: App, file: &File) {
+    let name = file.name();
+    let Ok(bytes) = browser::wait(file.array_buffer()).await else {
+        return app.complain(format!("{} {name}", app.words().file_not_read));
+    };
+    let bytes = Uint8Array::new(&bytes).to_vec();
+    browser::breathe().await;
+    let language = app.language.get_untracked();
+    let mut accepts = |text: &str| {
+        let opened = document::open(text, &[]);
+        opened.first_error().map_or(Ok(()), |error| Err(error.message.text(language).into_owned()))
+    };
+    let imported = match ejss::import(&bytes, &mut accepts) {
+        Ok(imported) => imported,
+        Err(refusal) => return app.complain(format!("{name}: {}", refusal.words().text(language))),
+    };
+    let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem).trim_end_matches("_source");
+    let source = Source { name: format!("{stem}.md"), text: imported.document.clone() };
+    let report = Rc::new(Report { name: source.name.clone(), imported });
+    opening::go_to_in_portions(app, vec![source], "").await;
+    if report.is_of(app) {
+        app.imported.set(Some(report));
+        app.tab.set(tabs::WRITE);
+    }
+}

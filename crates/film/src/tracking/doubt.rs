@@ -10,6 +10,8 @@ const SCORE: f64 = 0.6;
 /// Ratio of a standard error to the median of its track from which it is large.
 const LARGE: f64 = 4.0;
 
+/// Distance of the centres of two bodies, relative to the larger radius, below which both tracks may follow one of them.
+const SHARED: f64 = 0.5;
 /// Reciprocal of the fraction of doubtful frames from which a track is unreliable.
 const MANY: usize = 10;
 
@@ -69,6 +71,34 @@ pub fn is_plainly_in_doubt(tracks: &[Track]) -> bool {
     tracks.iter().any(many)
 }
 
+/// Puts the frames in doubt in which two bodies are so near to one another that both tracks may follow one of them.
+pub(super) fn doubt_shared(tracks: &mut [Track]) {
+    for one in 0..tracks.len() {
+        for other in 0..one {
+            for (at, beside) in shared(&tracks[one], &tracks[other]) {
+                tracks[one].points[at].doubtful = true;
+                tracks[other].points[beside].doubtful = true;
+            }
+        }
+    }
+}
+
+/// Indices of the points of two bodies in the same frame that are nearer to one another than a part of the larger radius.
+fn shared(one: &Track, other: &Track) -> Vec<(usize, usize)> {
+    let Some((outline, beside)) = one.outline.zip(other.outline) else { return Vec::new() };
+    let limit = SHARED * outline.radius.max(beside.radius);
+    let distance = |point: &Point, at: &Point| {
+        let apart: [f64; 2] =
+            std::array::from_fn(|k| point.position[k] + outline.offset[k] - at.position[k] - beside.offset[k]);
+        libm::hypot(apart[0], apart[1])
+    };
+    let pairs = one.points.iter().enumerate().filter_map(|(index, point)| {
+        let at = other.points.binary_search_by_key(&point.frame, |at| at.frame).ok()?;
+        (distance(point, &other.points[at]) < limit).then_some((index, at))
+    });
+    pairs.collect()
+}
+
 /// First frame without a body that is lost before its path ends: it is not found again and has not left the picture.
 pub fn lost_from(doubts: &[DoubtfulFrame]) -> Option<usize> {
     let is_early = |one: &&DoubtfulFrame| matches!(one.doubt, Doubt::Lost(Some(reason)) if reason != LossReason::Left);
@@ -96,4 +126,40 @@ pub fn doubts(tracks: &[Track], size: [f64; 2]) -> Vec<DoubtfulFrame> {
     }
     sort_by_key(&mut found, |one| (one.frame, one.track));
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::track::Outline;
+    use super::*;
+
+    /// Track of a body of radius 10 px that moves by so many px a frame from a place to the right, clicked beside its centre.
+    fn track(from: f64, step: f64, beside: f64) -> Track {
+        let point = |frame: usize| Point {
+            frame,
+            time: frame as f64 / 30.0,
+            position: [from + step * frame as f64 + beside, 80.0],
+            sigma: [0.1; 2],
+            score: 0.9,
+            doubtful: false,
+        };
+        let outline = Some(Outline { offset: [-beside, 0.0], radius: 10.0 });
+        Track { points: (0..21).map(point).collect(), outline, ..Track::default() }
+    }
+
+    #[test]
+    fn two_tracks_at_one_place_are_both_in_doubt() {
+        // The first two pass one another in frame 10, and the last one is elsewhere.
+        let mut tracks = [track(100.0, 2.0, 3.0), track(140.0, -2.0, -4.0), track(300.0, 0.0, 0.0)];
+        tracks[1].points.remove(9);
+        doubt_shared(&mut tracks);
+        let frames = |track: &Track| -> Vec<usize> {
+            track.points.iter().filter(|point| point.doubtful).map(|point| point.frame).collect()
+        };
+        assert_eq!(tracks.each_ref().map(frames), [vec![10, 11], vec![10, 11], vec![]]);
+        // A surface has no outline.
+        let mut tracks = [track(100.0, 0.0, 0.0), Track { outline: None, ..track(100.0, 0.0, 0.0) }];
+        doubt_shared(&mut tracks);
+        assert!(tracks.iter().flat_map(|track| &track.points).all(|point| !point.doubtful));
+    }
 }

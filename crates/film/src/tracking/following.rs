@@ -5,6 +5,7 @@ use crate::timing::repeats;
 use crate::tracking::backdrop::Backdrop;
 use crate::tracking::body::{self, Body};
 use crate::tracking::column::{self, Click, Column, SpaceTime};
+use crate::tracking::doubt::doubt_shared;
 use crate::tracking::marks::Marks;
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
@@ -216,12 +217,15 @@ impl Following {
         Ok(true)
     }
 
-    /// Tracks with the motion of the camera, surfaces first; empty before they are complete.
+    /// Tracks with the motion of the camera, surfaces first; two bodies at one place are in doubt. Empty before they are complete.
     pub fn tracks(&self) -> Vec<Track> {
         let shift = self.camera_shift().map(|pixels| CameraShift { pixels });
         let columns = self.pass.columns.iter().map(Column::track);
         let tracks = columns.chain(self.pass.bodies.iter().map(Body::track));
-        tracks.map(|track| Some(Track { shift, ..track?.clone() })).collect::<Option<_>>().unwrap_or_default()
+        let tracks = tracks.map(|track| Some(Track { shift, ..track?.clone() }));
+        let mut tracks: Vec<Track> = tracks.collect::<Option<_>>().unwrap_or_default();
+        doubt_shared(&mut tracks);
+        tracks
     }
 
     /// Fixes a surface in a frame ([`Column::anchor`]). [`Following::advance`] then repeats the search of that surface

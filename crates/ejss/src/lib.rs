@@ -3,6 +3,7 @@
 //! [`import`] reads every simulation: one with plain differential equations is translated, any other is listed, with its
 //! variables, equations and code. A [`Report`] says what was not carried over. Nothing of a file is executed.
 
+mod imported;
 mod listing;
 mod originals;
 mod page;
@@ -15,30 +16,13 @@ mod script;
 mod simulation;
 mod translation;
 
+pub use imported::Imported;
 pub use originals::Original;
 pub use place::Section;
 pub use refusal::Refusal;
 pub use report::{Entry, EntryKind, Report};
 
 use translation::{Blocker, Solved};
-use units::{Language, Words};
-
-/// Document made of a simulation.
-#[derive(Clone, Debug)]
-pub struct Imported {
-    /// Text of the document.
-    pub document: String,
-    /// Title of the simulation.
-    pub title: String,
-    /// Language of its description.
-    pub language: Language,
-    /// What was not carried over, and what differs.
-    pub report: Report,
-    /// Reason why the model is listed and not translated.
-    pub listed_because: Option<Words>,
-    /// Source of each quantity of a translated model.
-    pub originals: Vec<Original>,
-}
 
 /// True if a file begins like one that [`import`] reads. An archive is one if it has such a source.
 pub fn is_simulation(name: &str, bytes: &[u8]) -> bool {

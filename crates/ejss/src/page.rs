@@ -1,8 +1,8 @@
 //! The document around a model: front matter, description, and the section that says where it comes from.
 
-use crate::Imported;
+use crate::imported::Imported;
 use crate::listing::{listing, report_view};
-use crate::originals::originals;
+use crate::originals::{Original, originals};
 use crate::place::{Place, Section};
 use crate::prose::{escaped, language_of, markdown, plain_text, wrapped};
 use crate::reading::Files;
@@ -187,7 +187,7 @@ impl Page {
         document: String,
         mut report: Report,
         listed_because: Option<units::Words>,
-        originals: Vec<crate::Original>,
+        originals: Vec<Original>,
     ) -> Imported {
         let lines: Vec<&str> = document.lines().collect();
         let language = self.language;

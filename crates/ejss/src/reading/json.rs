@@ -1,6 +1,6 @@
 //! The format `_source.json` of WebEJS. It has the names of `.ejss`, and elements of the view inside one another.
 
-use super::DEEPEST;
+use super::limits::DEEPEST;
 use crate::refusal::Refusal;
 use crate::simulation::{
     CodePage, DescriptionPage, Element, Equations, Event, EvolutionPage, Simulation, Variable, VariablePage,

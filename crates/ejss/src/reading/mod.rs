@@ -1,19 +1,16 @@
 //! From bytes to a simulation: text encodings, the two formats, archives.
 
+mod encoding;
 mod json;
+mod limits;
 mod package;
 mod xml;
 
 use crate::refusal::Refusal;
 use crate::simulation::Simulation;
+use encoding::decoded;
+use limits::{DEEPEST, MOST_BYTES, MOST_ELEMENTS};
 pub(crate) use package::Files;
-
-/// Greatest size of a file, in bytes.
-const MOST_BYTES: usize = 20 << 20;
-/// Greatest number of elements of a view.
-const MOST_ELEMENTS: usize = 2000;
-/// Greatest depth of nesting.
-const DEEPEST: usize = 64;
 
 /// The simulation of a file and the files beside it in its archive.
 ///
@@ -52,22 +49,4 @@ pub(crate) fn is_source(start: &[u8]) -> bool {
     let start = start.get(..start.len().min(4000) & !1).unwrap_or_default();
     let text = decoded(start);
     text.contains("<Osejs") || text.contains("\"information\"") && text.contains("\"Title\"")
-}
-
-/// Text of bytes in UTF-16 or UTF-8, with or without a mark; other bytes as Latin-1.
-fn decoded(bytes: &[u8]) -> String {
-    let wide = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
-        let units: Vec<u16> = bytes.chunks_exact(2).filter_map(|pair| pair.try_into().ok()).map(unit).collect();
-        String::from_utf16_lossy(&units)
-    };
-    match bytes {
-        [0xff, 0xfe, rest @ ..] => wide(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => wide(rest, u16::from_be_bytes),
-        [0, _, ..] => wide(bytes, u16::from_be_bytes),
-        [_, 0, ..] => wide(bytes, u16::from_le_bytes),
-        _ => {
-            let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-            String::from_utf8(bytes.to_vec()).unwrap_or_else(|_| bytes.iter().map(|byte| char::from(*byte)).collect())
-        }
-    }
 }

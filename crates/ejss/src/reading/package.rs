@@ -1,6 +1,7 @@
 //! A ZIP archive in which a simulation travels with its pictures.
 
-use super::{MOST_BYTES, decoded};
+use super::encoding::decoded;
+use super::limits::MOST_BYTES;
 use crate::refusal::Refusal;
 use base64::Engine as _;
 use packed::{Archive, Defect};

@@ -1,6 +1,7 @@
 //! The subset of JavaScript in which EJS models are written: numbers, texts, conditions, calls, `if`, `var`, `return` and
 //! functions. Nothing is executed: the syntax tree is what the translation reads.
 
+mod expressions;
 mod lexer;
 mod parser;
 mod token;

@@ -90,6 +90,26 @@ impl Run<'_> {
         Err(self.reason(line, obstacle))
     }
 
+    /// Value of a name that has not been written in this pass.
+    pub fn before(&mut self, key: &str, line: usize) -> Known {
+        let Some(fact) = self.facts.variable(key) else { return Ok(Value::Nothing) };
+        if fact.is_array {
+            return Err(self.reason(line, Obstacle::Array(key.to_owned())));
+        }
+        let name = Value::Name(key.to_owned());
+        match (self.phase, fact.role) {
+            (Phase::Start, _) => Ok(Value::Nothing),
+            (Phase::Fixed, Role::Computed) if self.own_writes.contains(key) => {
+                Err(self.reason(line, Obstacle::Past(key.to_owned())))
+            }
+            (Phase::Motion | Phase::Event, Role::Computed) => {
+                self.older.insert(key.to_owned());
+                Ok(name)
+            }
+            _ => Ok(name),
+        }
+    }
+
     /// Value of a name that has been written in this pass: the name itself once nothing later writes it.
     fn written(&mut self, key: &str, line: usize) -> Known {
         let value = self.values.get(key).cloned().unwrap_or(Ok(Value::Nothing))?;

@@ -1,6 +1,7 @@
 //! Translation of plain models: one system of ordinary differential equations with single values.
 
 mod blocker;
+mod branches;
 mod calls;
 mod choices;
 mod controls;

@@ -1,6 +1,5 @@
 //! Symbolic execution of code: which value each variable has behind it, as an expression. Nothing is computed.
 
-use super::evaluation::is_truth;
 use super::facts::{Facts, Page, Role};
 use super::value::{Kind, Value};
 use crate::place::{Place, Reason};
@@ -13,7 +12,7 @@ const MOST_WORK: usize = 40_000;
 /// Greatest size of a value, in nodes.
 const LARGEST: usize = 2_000;
 /// Greatest depth of calls.
-const DEEPEST: usize = 12;
+pub(super) const DEEPEST: usize = 12;
 /// Separates the name of a local variable from its number; no name contains it.
 pub(super) const LOCAL: char = '\u{1}';
 
@@ -58,11 +57,11 @@ pub(super) struct Run<'a> {
     /// Functions called by rates that read states or the time by their names, which have the values before the step there.
     pub older_in: BTreeSet<String>,
     /// Names that the statement of a page which is being executed writes.
-    own_writes: BTreeSet<String>,
+    pub own_writes: BTreeSet<String>,
     /// Index of the last statement of a page that writes a name.
-    last: BTreeMap<String, usize>,
+    pub last: BTreeMap<String, usize>,
     /// Index of the statement of a page that is being executed.
-    now: usize,
+    pub now: usize,
     /// Keys of locals by their names: of the page, and of each call.
     frames: Vec<BTreeMap<String, String>>,
     conditions: Vec<Value>,
@@ -349,7 +348,7 @@ impl<'a> Run<'a> {
     }
 
     /// Statements that cannot be executed: what they may write has no value, or, if that is nothing, they are dropped.
-    fn spoil(&mut self, statements: &[Statement], obstacle: Obstacle) {
+    pub(super) fn spoil(&mut self, statements: &[Statement], obstacle: Obstacle) {
         let line = statements.first().map_or(0, |statement| statement.line);
         let mut written = self.facts.written_by(statements);
         for statement in statements {
@@ -376,138 +375,12 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Both branches of a condition without `return`.
-    fn branches(&mut self, condition: &Expression, branches: [&[Statement]; 2]) {
-        let condition = match self.truth(condition) {
-            Ok(condition) => condition,
-            Err(reason) => {
-                branches.iter().filter(|branch| !branch.is_empty()).for_each(|branch| self.spoil_for(branch, &reason));
-                return;
-            }
-        };
-        if let Value::Truth(truth) = condition {
-            self.list(branches[usize::from(!truth)], 0);
-            return;
-        }
-        let before = self.values.clone();
-        self.under(condition.clone(), |run| run.list(branches[0], 0));
-        let yes = std::mem::replace(&mut self.values, before.clone());
-        self.under(condition.clone().not(), |run| run.list(branches[1], 0));
-        self.join(&condition, yes, &before);
-    }
-
-    /// A condition with `return` in a branch: what follows is executed for each branch.
-    fn branches_with_return(
-        &mut self,
-        condition: &Expression,
-        branches: [&[Statement]; 2],
-        rest: &[Statement],
-        depth: usize,
-    ) -> Option<Known> {
-        let line = condition.line;
-        let condition = match self.truth(condition) {
-            Ok(condition) => condition,
-            Err(reason) => {
-                [branches[0], branches[1], rest].iter().for_each(|part| self.spoil_for(part, &reason));
-                return Some(Err(reason));
-            }
-        };
-        if depth > 2 * DEEPEST {
-            return Some(Err(self.reason(line, Obstacle::TooLong)));
-        }
-        let way = |run: &mut Self, branch: &[Statement]| {
-            let returned = run.list(&[branch, rest].concat(), depth + 1);
-            returned.unwrap_or(Ok(Value::Nothing))
-        };
-        if let Value::Truth(truth) = condition {
-            return Some(way(self, branches[usize::from(!truth)]));
-        }
-        let before = self.values.clone();
-        let yes_value = self.under(condition.clone(), |run| way(run, branches[0]));
-        let yes = std::mem::replace(&mut self.values, before.clone());
-        let no_value = self.under(condition.clone().not(), |run| way(run, branches[1]));
-        self.join(&condition, yes, &before);
-        Some(match (yes_value, no_value) {
-            (Ok(Value::Nothing), Ok(Value::Nothing)) => Ok(Value::Nothing),
-            (Ok(Value::Nothing), Ok(_)) | (Ok(_), Ok(Value::Nothing)) => {
-                Err(self.reason(line, Obstacle::NoValue("return".to_owned())))
-            }
-            (Ok(yes), Ok(no)) => self.chosen(condition, yes, no, line),
-            (Err(reason), _) | (_, Err(reason)) => Err(reason),
-        })
-    }
-
-    fn under<T>(&mut self, condition: Value, body: impl FnOnce(&mut Self) -> T) -> T {
+    /// Executes under a further condition.
+    pub(super) fn under<T>(&mut self, condition: Value, body: impl FnOnce(&mut Self) -> T) -> T {
         self.conditions.push(condition);
         let result = body(self);
         self.conditions.pop();
         result
-    }
-
-    fn spoil_for(&mut self, statements: &[Statement], reason: &Reason) {
-        if !statements.is_empty() {
-            let place = std::mem::replace(&mut self.place, reason.place.clone());
-            self.spoil(statements, reason.obstacle.clone());
-            self.place = place;
-        }
-    }
-
-    /// Joins the values of two branches, of which the second has just been executed.
-    fn join(&mut self, condition: &Value, yes: BTreeMap<String, Known>, before: &BTreeMap<String, Known>) {
-        let no = std::mem::replace(&mut self.values, before.clone());
-        let keys: BTreeSet<&String> = yes.keys().chain(no.keys()).collect();
-        for key in keys {
-            let (of_yes, of_no) = (yes.get(key), no.get(key));
-            if of_yes == of_no {
-                if let Some(known) = of_yes {
-                    self.values.insert(key.clone(), known.clone());
-                }
-                continue;
-            }
-            let [of_yes, of_no] = [of_yes, of_no].map(|known| known.cloned().unwrap_or_else(|| self.before(key, 0)));
-            let joined = match (of_yes, of_no) {
-                (Ok(yes), Ok(no)) => self.chosen(condition.clone(), yes, no, 0),
-                (Err(reason), _) | (_, Err(reason)) => Err(reason),
-            };
-            self.set(key.clone(), joined);
-        }
-    }
-
-    fn chosen(&self, condition: Value, yes: Value, no: Value, line: usize) -> Known {
-        let nothing = |value: &Value| matches!(value, Value::Nothing);
-        if nothing(&yes) && nothing(&no) {
-            return Ok(Value::Nothing);
-        }
-        if nothing(&yes) || nothing(&no) {
-            return Err(self.reason(line, Obstacle::NoValue("undefined".to_owned())));
-        }
-        match (self.kind(&yes), self.kind(&no)) {
-            (Some(one), Some(other)) if one == other => Ok(Value::choose(condition, yes, no)),
-            (Some(Kind::Truth), Some(Kind::Number)) if is_truth(&no).is_some() => {
-                Ok(Value::choose(condition, yes, Value::Truth(is_truth(&no) == Some(true))))
-            }
-            _ => Err(self.reason(line, Obstacle::Kinds)),
-        }
-    }
-
-    /// Value of a name that has not been written in this pass.
-    pub fn before(&mut self, key: &str, line: usize) -> Known {
-        let Some(fact) = self.facts.variable(key) else { return Ok(Value::Nothing) };
-        if fact.is_array {
-            return Err(self.reason(line, Obstacle::Array(key.to_owned())));
-        }
-        let name = Value::Name(key.to_owned());
-        match (self.phase, fact.role) {
-            (Phase::Start, _) => Ok(Value::Nothing),
-            (Phase::Fixed, Role::Computed) if self.own_writes.contains(key) => {
-                Err(self.reason(line, Obstacle::Past(key.to_owned())))
-            }
-            (Phase::Motion | Phase::Event, Role::Computed) => {
-                self.older.insert(key.to_owned());
-                Ok(name)
-            }
-            _ => Ok(name),
-        }
     }
 
     /// Value of a local of the page that has been executed last.

@@ -2,7 +2,7 @@
 
 use super::scene::{HEIGHT, RATE, container, identity};
 use super::{columns, laboratory};
-use analysis::spreadsheet::checksum;
+use packed::checksum;
 use desk::{Desk, FilmOpening, FilmedBody, LengthsForm, Refusal, Subject};
 
 /// An archive of files as they are (APPNOTE.TXT 6.3.3).

@@ -3,7 +3,7 @@
 mod host;
 
 use crate::class::{Room, SurveyRoom};
-use crate::documents::imported::Report as Imported;
+use crate::documents::import_report::Report as Imported;
 use crate::documents::stored::{Kept, Saved, VersionTimes};
 use crate::film::{Films, Player};
 use crate::guide::Step;

@@ -8,6 +8,7 @@ mod controls;
 mod evaluation;
 mod events;
 mod facts;
+mod lagging;
 mod method;
 mod model;
 mod motion;

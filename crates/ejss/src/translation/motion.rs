@@ -1,7 +1,6 @@
 //! All code of a simulation executed symbolically: values at the start, rates, definitions, events.
 
 use super::facts::{Facts, Page, Role, assigned};
-use super::needs::Search;
 use super::run::{Known, Phase, Run};
 use super::value::{Kind, Value};
 use crate::place::{Place, Reason, Section};
@@ -190,35 +189,6 @@ impl Motion {
         }
         self.definitions = definitions;
         self.lag(facts, report);
-    }
-
-    /// Fixed relations that read what a later one writes: the original shows them one step late. In a circle they need the past.
-    fn lag(&mut self, facts: &Facts, report: &mut Report) {
-        let order: Vec<String> = self.definitions.iter().map(|(key, _)| key.clone()).collect();
-        for index in 0..order.len() {
-            let Some((key, Ok(value))) = self.definitions.get(index) else { continue };
-            let mut later = None;
-            value.walk(&mut |part| {
-                if let Value::Name(name) = part
-                    && order.iter().position(|own| own == name).is_some_and(|other| other >= index)
-                {
-                    later = Some(name.clone());
-                }
-            });
-            let Some(later) = later else { continue };
-            let mut search = Search::new(facts, self);
-            search.key(&later);
-            let place =
-                facts.variable(key).map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
-            if search.found.contains(key) {
-                let reason = Reason { place, obstacle: Obstacle::Past(later) };
-                if let Some((_, known)) = self.definitions.get_mut(index) {
-                    *known = Err(reason);
-                }
-            } else if facts.variable(key).is_some() {
-                report.add(EntryKind::Differs, place, words!("`{key}` is computed from `{later}` of the step before in the original. Here both are of the same moment."));
-            }
-        }
     }
 
     /// Value of a definition, or of a constant at the start.

@@ -1,44 +1,18 @@
 //! Simulations of Easy JavaScript Simulations: a dropped file becomes a document, with a report beside it.
 
 use crate::app::App;
+use crate::documents::import_report::Report;
 use crate::documents::opening;
 use document::page::Source;
-use ejss::{Entry, Imported, Original};
 use js_sys::Uint8Array;
 use std::rc::Rc;
-use units::Words;
 use view::browser;
 use view::panel::tabs;
 use web_sys::File;
 
-/// Report of the last import.
-#[derive(Debug)]
-pub struct Report {
-    /// Name of the file of the document.
-    name: String,
-    imported: Imported,
-}
-
-impl Report {
-    /// True while the document of the import is open.
-    pub fn is_of(&self, app: App) -> bool {
-        app.with(|lab| lab.sources.first().is_some_and(|source| source.name == self.name)) == Some(true)
-    }
-
-    /// What was not carried over.
-    pub fn entries(&self) -> &[Entry] {
-        self.imported.report.entries()
-    }
-
-    /// Reason why the model is listed and not translated.
-    pub fn listed_because(&self) -> Option<&Words> {
-        self.imported.listed_because.as_ref()
-    }
-
-    /// Lines of the original that determine a quantity of the document.
-    pub fn originals(&self, name: &str) -> impl Iterator<Item = &Original> {
-        self.imported.originals.iter().filter(move |original| original.name == name)
-    }
+/// True while the document of an import is open.
+pub fn is_open(app: App, report: &Report) -> bool {
+    app.with(|lab| lab.sources.first().is_some_and(|source| source.name == report.name())) == Some(true)
 }
 
 /// True if the name of a file is that of a simulation.
@@ -75,9 +49,9 @@ pub async fn open(app: App, file: &File) {
     };
     let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem).trim_end_matches("_source");
     let source = Source { name: format!("{stem}.md"), text: imported.document.clone() };
-    let report = Rc::new(Report { name: source.name.clone(), imported });
+    let report = Rc::new(Report::new(source.name.clone(), imported));
     opening::go_to_in_portions(app, vec![source], "").await;
-    if report.is_of(app) {
+    if is_open(app, &report) {
         app.imported.set(Some(report));
         app.tab.set(tabs::WRITE);
     }

@@ -2,6 +2,7 @@
 
 pub mod carried;
 pub mod diagnostics;
+pub mod import_report;
 pub mod imported;
 pub mod links;
 pub mod navigation;

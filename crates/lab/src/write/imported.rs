@@ -2,13 +2,14 @@
 
 use super::findings;
 use crate::app::App;
+use crate::documents::imported::is_open;
 use view::views::*;
 
 /// What the import did not carry over, folded behind the number of entries; hidden for other documents.
 pub fn view(app: App) -> View {
     changing(move || {
         app.written.track();
-        let Some(imported) = app.imported.get_clone().filter(|report| report.is_of(app)) else { return View::new() };
+        let Some(imported) = app.imported.get_clone().filter(|report| is_open(app, report)) else { return View::new() };
         let words = app.words();
         let language = app.language.get_untracked();
         let entry = |entry: &ejss::Entry| {
@@ -39,7 +40,7 @@ pub fn view(app: App) -> View {
 
 /// The lines of the original that determine a quantity.
 pub fn original(app: App, word: &str) -> Option<HtmlSpan> {
-    let imported = app.imported.get_clone().filter(|report| report.is_of(app))?;
+    let imported = app.imported.get_clone().filter(|report| is_open(app, report))?;
     let lines: Vec<String> = imported.originals(word).map(|original| original.source.clone()).collect();
     if lines.is_empty() {
         return None;

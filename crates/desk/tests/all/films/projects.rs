@@ -2,8 +2,8 @@
 
 use super::scene::{HEIGHT, RATE, container, identity};
 use super::{columns, laboratory};
-use packed::checksum;
 use desk::{Desk, FilmOpening, FilmedBody, LengthsForm, Refusal, Subject};
+use packed::checksum;
 
 /// An archive of files as they are (APPNOTE.TXT 6.3.3).
 fn archive(files: &[(&str, &[u8])]) -> Vec<u8> {

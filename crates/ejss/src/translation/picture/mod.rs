@@ -1,10 +1,11 @@
 //! The drawing of a simulation with one drawing panel: shapes, segments, arrows, springs, texts, pictures and trails.
 
 mod elements;
+mod item;
 mod text;
 
 use super::controls::constant;
-use super::facts::{Facts, Role};
+use super::facts::Facts;
 use super::plots::inside;
 use super::value::Value;
 use super::writing::written;
@@ -13,8 +14,8 @@ use crate::reading::Files;
 use crate::report::{EntryKind, Report};
 use crate::script::Operator;
 use crate::simulation::Simulation;
+use item::{Item, in_text};
 use std::fmt::Write as _;
-use units::markup::escaped;
 use units::number::shortest;
 use units::words;
 
@@ -29,28 +30,6 @@ pub(super) struct Picture {
     y: (f64, f64),
     height: f64,
     items: Vec<Item>,
-}
-
-/// Element of the drawing.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Item {
-    tag: &'static str,
-    /// Name of the element in the simulation.
-    name: String,
-    /// Attributes that are points.
-    points: Vec<(&'static str, [Value; 2])>,
-    /// Attributes that are lengths of the frame.
-    lengths: Vec<(&'static str, Value)>,
-    /// Attributes that are angles.
-    angles: Vec<(&'static str, Value)>,
-    /// Attributes that are written as they are.
-    plain: Vec<(&'static str, String)>,
-    visible: Option<Value>,
-    /// Text and values between the tags.
-    text: Vec<Value>,
-    children: Vec<Item>,
-    /// State that is dragged.
-    drag: Option<String>,
 }
 
 /// The drawing of the first drawing panel; what it lacks is reported.
@@ -153,25 +132,6 @@ fn keep(items: &mut Vec<Item>, is_known: &dyn Fn(&Value) -> bool, report: &mut R
     });
 }
 
-impl Item {
-    fn values(&self) -> Vec<&Value> {
-        let mut values: Vec<&Value> = self.points.iter().flat_map(|(_, point)| point).collect();
-        values.extend(self.lengths.iter().chain(&self.angles).map(|(_, value)| value));
-        values.extend(&self.visible);
-        values.extend(&self.text);
-        values.extend(self.children.iter().flat_map(Self::values));
-        values
-    }
-
-    fn quantity(&self) -> Option<&str> {
-        let of_point = self.points.iter().flat_map(|(_, point)| point).find_map(|value| match value {
-            Value::Name(name) => Some(name.as_str()),
-            _ => None,
-        });
-        of_point.or_else(|| self.children.iter().find_map(Self::quantity))
-    }
-}
-
 /// Writes elements.
 struct Writer<'a> {
     unit: Option<&'a str>,
@@ -234,17 +194,6 @@ fn with_unit(value: &Value, unit: &str) -> Value {
     }
 }
 
-/// Text between tags of a scene: no markup, and braces twice.
-pub(super) fn in_text(text: &str) -> String {
-    let visible: String = text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    escaped(&visible).replace('{', "{{").replace('}', "}}").replace('`', "'")
-}
-
 fn in_attribute(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "'")
-}
-
-/// True if a value is exactly a state.
-fn is_state(facts: &Facts, value: &Value) -> bool {
-    matches!(value, Value::Name(name) if facts.role(name) == Some(Role::State))
 }

@@ -4,7 +4,7 @@ use super::super::facts::Facts;
 use super::super::run::{Phase, Run};
 use super::super::value::{Kind, Value};
 use super::super::writing::written;
-use super::in_text;
+use super::item::in_text;
 use crate::place::{Place, Section};
 use crate::prose::plain_text;
 use crate::refusal::Obstacle;

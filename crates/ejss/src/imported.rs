@@ -13,7 +13,7 @@ pub struct Imported {
     pub title: String,
     /// Language of its description.
     pub language: Language,
-    /// What was not carried over, and what differs.
+    /// Report of the parts that are missing or differ.
     pub report: Report,
     /// Reason why the model is listed and not translated.
     pub listed_because: Option<Words>,

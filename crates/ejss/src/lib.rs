@@ -24,14 +24,14 @@ pub use report::{Entry, EntryKind, Report};
 
 use translation::{Blocker, Solved};
 
-/// True if a file begins like one that [`import`] reads. An archive is one if it has such a source.
-pub fn is_simulation(name: &str, bytes: &[u8]) -> bool {
-    let name = name.to_ascii_lowercase();
-    name.ends_with(".ejss")
-        || name.ends_with("source.json")
-        || reading::is_source(bytes)
-        || bytes.starts_with(b"PK")
-            && reading::Files::open(bytes).is_ok_and(|files| matches!(files.source(), Ok(Some(_))))
+/// True if a file of this name is a simulation: `.ejss`, `_source.json`.
+pub fn is_simulation(name: &str) -> bool {
+    reading::Format::of(name).is_some()
+}
+
+/// True if a file is an archive with a simulation in it.
+pub fn holds_simulation(bytes: &[u8]) -> bool {
+    reading::Files::open(bytes).is_ok_and(|files| files.has_source())
 }
 
 /// Document of a simulation. `accepts`: checks a document; `Err` is the first error of it. A translation that is not accepted

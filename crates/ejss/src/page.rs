@@ -122,25 +122,22 @@ impl Page {
                 (Place::new(Section::Evolution, &equations.name), crate::report::shown(&equations.method));
             report.add(EntryKind::Differs, place, words!("The method {own} is replaced by {method}."));
         }
-        let mut text = self.front_matter();
+        let mut settings = String::new();
         let unit = if has_units { " [s]" } else { "" };
-        let _ = writeln!(text, "method: {method}\nstep: {}{unit}", shortest(solved.step));
+        let _ = writeln!(settings, "method: {method}\nstep: {}{unit}", shortest(solved.step));
         if let Some(until) = solved.until {
-            let _ = writeln!(text, "until: {}{unit}", shortest(until));
+            let _ = writeln!(settings, "until: {}{unit}", shortest(until));
         }
         if let Some(speed) = solved.speed(simulation) {
-            let _ = writeln!(text, "speed: {}{unit}", shortest(speed));
+            let _ = writeln!(settings, "speed: {}{unit}", shortest(speed));
         }
-        text.push_str("---\n\n");
-        if !self.prose.is_empty() {
-            let _ = writeln!(text, "{}\n", self.prose);
-        }
+        let mut text = self.beginning(&settings);
         for (word, lines) in [("model", &blocks.model), ("scene", &blocks.scene), ("plots", &blocks.plots)] {
             if !lines.is_empty() {
                 let _ = writeln!(text, "```{word}\n{}\n```\n", lines.join("\n"));
             }
         }
-        self.origin(&mut text, &report, None);
+        self.origin(&mut text, &mut report, None);
         let originals = originals(simulation, &blocks.names);
         self.imported(text, report, None, originals)
     }
@@ -165,50 +162,42 @@ impl Page {
                 words!("The rest of the model is not listed: it is too long."),
             );
         }
-        let mut text = self.front_matter();
-        if let Some((method, step)) = listed_method(simulation) {
-            let _ = writeln!(text, "method: {method}\nstep: {step}");
-        }
-        text.push_str("---\n\n");
-        if !self.prose.is_empty() {
-            let _ = writeln!(text, "{}\n", self.prose);
-        }
+        let settings = listed_method(simulation).map(|(method, step)| format!("method: {method}\nstep: {step}\n"));
+        let mut text = self.beginning(&settings.unwrap_or_default());
         let todo = say!(language, "The equations go here. Below stands what they are made from.");
         let _ = writeln!(text, "```model\n# {todo}\n```\n");
         for block in blocks {
             let _ = writeln!(text, "{block}\n");
         }
-        self.origin(&mut text, &report, Some(blocker));
+        self.origin(&mut text, &mut report, Some(blocker));
         self.imported(text, report, Some(blocker.words()), Vec::new())
     }
 
     fn imported(
         &self,
         document: String,
-        mut report: Report,
+        report: Report,
         listed_because: Option<units::Words>,
         originals: Vec<Original>,
     ) -> Imported {
-        let lines: Vec<&str> = document.lines().collect();
-        let language = self.language;
-        report.locate(|entry| {
-            let sentence = listed(&entry.sentence(language));
-            let first = sentence.lines().next().unwrap_or_default().to_owned();
-            lines.iter().position(|line| line.ends_with(&first)).map(|index| index + 1)
-        });
-        Imported { document, title: self.title.clone(), language, report, listed_because, originals }
+        Imported { document, title: self.title.clone(), language: self.language, report, listed_because, originals }
     }
 
-    fn front_matter(&self) -> String {
+    /// Front matter, with the lines of these settings, and description.
+    fn beginning(&self, settings: &str) -> String {
         let mut text = format!("---\ntitle: {}\nlanguage: {}\n", self.title, self.language.tag());
         if let Some(summary) = &self.summary {
             let _ = writeln!(text, "summary: {summary}");
         }
+        let _ = writeln!(text, "{settings}---\n");
+        if !self.prose.is_empty() {
+            let _ = writeln!(text, "{}\n", self.prose);
+        }
         text
     }
 
-    /// The last section: author, licence, and what was not carried over.
-    fn origin(&self, text: &mut String, report: &Report, blocker: Option<&Blocker>) {
+    /// Appends the last section: author, licence, and the entries of the report, each of which gets its line.
+    fn origin(&self, text: &mut String, report: &mut Report, blocker: Option<&Blocker>) {
         let language = self.language;
         let _ = writeln!(text, "## {}\n", say!(language, "Imported from"));
         let (title, authors) = (escaped(&self.title), escaped(&self.authors));
@@ -226,16 +215,16 @@ impl Page {
                 wrapped(&listed(&say!(language, "The model is listed and not translated: {why}.")))
             );
         }
-        let entries = report.entries();
-        if entries.is_empty() {
+        if report.entries().is_empty() {
             return;
         }
         let _ = writeln!(text, "\n{}\n", say!(language, "What is missing, or differs from the original:"));
-        for entry in entries.iter().take(MOST_LISTED) {
+        for entry in report.entries_mut().iter_mut().take(MOST_LISTED) {
             let sentence = listed(&entry.sentence(language)).replace('\n', "\n  ");
+            entry.document_line = Some(text.matches('\n').count() + 1);
             let _ = writeln!(text, "- {sentence}");
         }
-        let more = entries.len().saturating_sub(MOST_LISTED) + report.more();
+        let more = report.entries().len().saturating_sub(MOST_LISTED) + report.more();
         if more > 0 {
             let _ = writeln!(text, "- {}", say!(language, "{more} more are in the report of the import."));
         }

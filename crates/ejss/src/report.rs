@@ -1,6 +1,7 @@
-//! What an import did not carry over, guessed, or changed, with the place of each.
+//! Report of an import: parts that are missing, guessed or changed, with the place of each.
 
 use crate::place::{Place, Reason, Section};
+use crate::prose::visible;
 use crate::refusal::Obstacle;
 use units::{Language, Words, say, words};
 
@@ -90,6 +91,10 @@ impl Report {
         &self.entries
     }
 
+    pub(crate) fn entries_mut(&mut self) -> &mut [Entry] {
+        &mut self.entries
+    }
+
     /// Number of entries that are not listed.
     pub fn more(&self) -> usize {
         self.more
@@ -122,19 +127,12 @@ impl Report {
         let why = reason.obstacle.words();
         self.add(EntryKind::Left, reason.place.clone(), words!("`{name}` is not carried over: {why}."));
     }
-
-    /// Notes for each entry the first line of the document in which one of its names is quoted in a comment.
-    pub(crate) fn locate(&mut self, find: impl Fn(&Entry) -> Option<usize>) {
-        for entry in &mut self.entries {
-            entry.document_line = find(entry);
-        }
-    }
 }
 
 /// Name of a page in one short line, without what could end a quotation or mark up a text.
 pub(crate) fn shown(name: &str) -> String {
-    let plain = name.chars().map(|letter| if letter.is_control() { ' ' } else { letter });
-    let plain: String = plain
+    let plain: String = visible(name)
+        .chars()
         .filter(|letter| !matches!(letter, '`' | '"' | '<' | '>' | '[' | ']' | '*' | '$' | '|' | '\\'))
         .take(60)
         .collect();

@@ -5,7 +5,7 @@ mod view;
 
 pub(crate) use view::report_view;
 
-use crate::prose::{code, escaped, plain_text};
+use crate::prose::{code, cut, escaped, plain_text, visible};
 use crate::script::parse_expression;
 use crate::simulation::{CodePage, Equations, EvolutionPage, Simulation, VariablePage};
 use units::{Language, say};
@@ -101,16 +101,7 @@ fn table(page: &VariablePage, simulation: &Simulation, language: Language) -> Op
 }
 
 fn cell(text: &str) -> String {
-    let plain: String = text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    escaped(&cut(plain.trim(), LONGEST_CELL)).replace('|', "\\|")
-}
-
-fn cut(text: &str, longest: usize) -> String {
-    if text.chars().count() <= longest {
-        text.to_owned()
-    } else {
-        text.chars().take(longest - 1).chain(['…']).collect()
-    }
+    escaped(&cut(visible(text).trim(), LONGEST_CELL)).replace('|', "\\|")
 }
 
 fn equations(equations: &Equations, language: Language, blocks: &mut Vec<String>) {

@@ -1,13 +1,14 @@
-//! What of the view has no counterpart.
+//! Parts of the view without a counterpart.
 
 use crate::place::{Place, Section};
 use crate::report::{EntryKind, Report, shown};
 use crate::script::{Node, StatementKind, parse_program};
 use crate::simulation::{Element, Simulation};
+use crate::translation::{is_drawn, is_trail};
 use units::words;
 
-/// Containers, and elements that a document has by itself or that other parts of the import report.
-const EXPECTED: [&str; 25] = [
+/// Containers, and elements outside of drawings that a document has by itself or that other parts of the import report.
+const EXPECTED: [&str; 18] = [
     "Panel",
     "TabbedPanel",
     "Frame",
@@ -26,13 +27,6 @@ const EXPECTED: [&str; 25] = [
     "ComboBox",
     "TwoStateButton",
     "Button",
-    "Shape2D",
-    "Segment2D",
-    "Arrow2D",
-    "Spring2D",
-    "Text2D",
-    "Image2D",
-    "Trail2D",
 ];
 /// Calls of the player, which the page has by itself.
 const PLAYER: [&str; 9] =
@@ -43,16 +37,14 @@ const PLAYER: [&str; 9] =
 pub(crate) fn report_view(simulation: &Simulation, follows: &dyn Fn(&str) -> bool, report: &mut Report) {
     for element in &simulation.view {
         let place = Place::new(Section::View, &element.name);
-        let is_drawn = element.kind == "Group2D" || element.kind == "Trace";
-        let is_known = EXPECTED.contains(&element.kind.as_str()) || is_drawn;
-        if !is_known {
+        if !EXPECTED.contains(&element.kind.as_str()) && !is_drawn(&element.kind) {
             let kind = shown(&element.kind);
             report.add(
                 EntryKind::Left,
                 Place::new(Section::View, ""),
                 words!("Elements of the kind {kind} are not carried over."),
             );
-        } else if is_shape(&element.kind) && is_in_plot(simulation, element) {
+        } else if is_drawn(&element.kind) && !is_trail(element) && is_in_plot(simulation, element) {
             report.add(EntryKind::Left, place.clone(), words!("The element is not carried over: it stands in a plot."));
         }
         // The code of combo boxes is read for choices.
@@ -81,10 +73,6 @@ pub(crate) fn report_view(simulation: &Simulation, follows: &dyn Fn(&str) -> boo
             words!("Further views are not carried over: only the first one is."),
         );
     }
-}
-
-fn is_shape(kind: &str) -> bool {
-    matches!(kind, "Shape2D" | "Segment2D" | "Arrow2D" | "Spring2D" | "Text2D" | "Image2D" | "Group2D")
 }
 
 fn is_in_plot(simulation: &Simulation, element: &Element) -> bool {

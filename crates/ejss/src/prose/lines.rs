@@ -66,8 +66,21 @@ fn pieces(word: &str, longest: usize) -> Vec<String> {
 
 /// Text on a single line, cut off behind the limit.
 pub(super) fn shortened(text: &str) -> String {
-    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    if line.chars().count() <= LONGEST { line } else { line.chars().take(LONGEST - 1).chain(['…']).collect() }
+    cut(&text.split_whitespace().collect::<Vec<_>>().join(" "), LONGEST)
+}
+
+/// Text of at most this many characters, with an ellipsis where it is cut off.
+pub(crate) fn cut(text: &str, longest: usize) -> String {
+    if text.chars().count() <= longest {
+        text.to_owned()
+    } else {
+        text.chars().take(longest - 1).chain(['…']).collect()
+    }
+}
+
+/// Text with blanks in the place of control characters.
+pub(crate) fn visible(text: &str) -> String {
+    text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect()
 }
 
 /// Block of code whose fence is longer than any in the code. Long lines are divided.
@@ -75,8 +88,7 @@ pub(crate) fn code(word: &str, code: &str) -> String {
     let fence = "`".repeat(longest_row(code).max(2) + 1);
     let mut block = format!("{fence}{word}\n");
     for line in code.lines() {
-        let visible: String = line.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-        for (index, piece) in divided(visible.trim_end()).into_iter().enumerate() {
+        for (index, piece) in divided(visible(line).trim_end()).into_iter().enumerate() {
             block.push_str(if index == 0 { "" } else { "    " });
             block.push_str(&piece);
             block.push('\n');

@@ -7,7 +7,7 @@ mod lines;
 mod tags;
 
 pub(crate) use language::language_of;
-pub(crate) use lines::{code, escaped, wrapped};
+pub(crate) use lines::{code, cut, escaped, visible, wrapped};
 
 use tags::{Piece, pieces};
 
@@ -29,8 +29,7 @@ pub(crate) fn plain_text(html: &str) -> String {
             }
         }
     }
-    let visible: String = text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    visible.split_whitespace().collect::<Vec<_>>().join(" ")
+    visible(&text).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// HTML as Markdown. `picture`: address of an image for the one in the page; `None` leaves it out. `title`: a heading with this

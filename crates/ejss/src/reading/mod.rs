@@ -1,6 +1,7 @@
 //! From bytes to a simulation: text encodings, the two formats, archives.
 
 mod encoding;
+mod format;
 mod json;
 mod limits;
 mod package;
@@ -9,6 +10,7 @@ mod xml;
 use crate::refusal::Refusal;
 use crate::simulation::Simulation;
 use encoding::decoded;
+pub(crate) use format::Format;
 use limits::{DEEPEST, MOST_BYTES, MOST_ELEMENTS};
 pub(crate) use package::Files;
 
@@ -21,15 +23,18 @@ pub(crate) fn read(bytes: &[u8]) -> Result<(Simulation, Files), Refusal> {
         return Err(Refusal::TooLarge);
     }
     let files = Files::open(bytes)?;
-    let (text, is_json) = match files.source()? {
-        Some((text, is_json)) => (text, is_json),
+    let (text, format) = match files.source()? {
+        Some(source) => source,
         None => {
             let text = decoded(bytes);
-            let is_json = text.trim_start().starts_with('{');
-            (text, is_json)
+            let format = if text.trim_start().starts_with('{') { Format::Json } else { Format::Xml };
+            (text, format)
         }
     };
-    let simulation = if is_json { json::read(&text)? } else { xml::read(&text)? };
+    let simulation = match format {
+        Format::Json => json::read(&text)?,
+        Format::Xml => xml::read(&text)?,
+    };
     let is_deep = |at: usize| {
         let mut parent = simulation.view.get(at).and_then(|element| element.parent);
         for _ in 0..DEEPEST {
@@ -42,11 +47,4 @@ pub(crate) fn read(bytes: &[u8]) -> Result<(Simulation, Files), Refusal> {
         return Err(Refusal::TooComplex);
     }
     Ok((simulation, files))
-}
-
-/// True if a file begins like a source of EJS or WebEJS: UTF-16 or UTF-8, XML or JSON.
-pub(crate) fn is_source(start: &[u8]) -> bool {
-    let start = start.get(..start.len().min(4000) & !1).unwrap_or_default();
-    let text = decoded(start);
-    text.contains("<Osejs") || text.contains("\"information\"") && text.contains("\"Title\"")
 }

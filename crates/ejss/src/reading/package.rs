@@ -1,6 +1,7 @@
 //! A ZIP archive in which a simulation travels with its pictures.
 
 use super::encoding::decoded;
+use super::format::Format;
 use super::limits::MOST_BYTES;
 use crate::refusal::Refusal;
 use base64::Engine as _;
@@ -32,24 +33,24 @@ impl Files {
         Ok(Self { archive: Some(archive) })
     }
 
-    /// Text of the newest source in the archive, and true if it is JSON; `None` without an archive.
+    /// True if there is a source in the archive.
+    pub fn has_source(&self) -> bool {
+        self.archive.as_ref().is_some_and(|archive| newest(archive).is_some())
+    }
+
+    /// Text of the newest source in the archive with its format; `None` without an archive.
     ///
     /// # Errors
     /// There is no source, or it cannot be expanded.
-    pub fn source(&self) -> Result<Option<(String, bool)>, Refusal> {
+    pub fn source(&self) -> Result<Option<(String, Format)>, Refusal> {
         let Some(archive) = &self.archive else { return Ok(None) };
-        let is_json = |name: &str| name.to_ascii_lowercase().ends_with("source.json");
-        let is_hidden = |name: &str| name.split('/').any(|part| part == "__MACOSX" || part.starts_with("._"));
-        let is_source =
-            |name: &&str| !is_hidden(name) && (is_json(name) || name.to_ascii_lowercase().ends_with(".ejss"));
-        let name = archive.names().filter(is_source).max_by_key(|name| archive.modified(name));
-        let name = name.ok_or(Refusal::NoSource)?;
+        let (name, format) = newest(archive).ok_or(Refusal::NoSource)?;
         let bytes = expanded(archive, name, MOST_BYTES).map_err(|defect| match defect {
             Defect::Protected => Refusal::Protected,
             Defect::Expands { .. } => Refusal::TooLarge,
             Defect::Damaged => Refusal::Damaged,
         })?;
-        Ok(Some((decoded(&bytes), is_json(name))))
+        Ok(Some((decoded(&bytes), format)))
     }
 
     /// A picture as the address of an image, `data:image/png;base64,..`. `path`: as an HTML page names it.
@@ -67,6 +68,13 @@ impl Files {
         };
         Some(format!("data:image/{kind};base64,{}", base64::engine::general_purpose::STANDARD.encode(bytes)))
     }
+}
+
+/// The newest source in an archive. Copies that an operating system keeps beside the files are none.
+fn newest(archive: &Archive) -> Option<(&str, Format)> {
+    let is_hidden = |name: &str| name.split('/').any(|part| part == "__MACOSX" || part.starts_with("._"));
+    let sources = archive.names().filter(|name| !is_hidden(name)).filter_map(|name| Some((name, Format::of(name)?)));
+    sources.max_by_key(|(name, _)| archive.modified(name))
 }
 
 fn expanded(archive: &Archive, name: &str, most: usize) -> Result<Vec<u8>, Defect> {

@@ -6,7 +6,6 @@ use super::value::{Kind, Value};
 use crate::place::Reason;
 use crate::refusal::Obstacle;
 use crate::script::{Expression, Node, Operator};
-use std::collections::BTreeMap;
 
 /// Functions of `Math` that the language has by the same name or another one, with the number of their arguments.
 const PLAIN: [(&str, &str, usize); 22] = [
@@ -177,24 +176,28 @@ impl Run<'_> {
     /// Executes the body of a function with these arguments; its value.
     pub fn inlined(&mut self, name: &str, arguments: &[Expression], line: usize) -> Known {
         self.note_older(name);
+        let mut values: Vec<Known> = Vec::new();
+        for argument in arguments {
+            values.push(self.value(argument));
+        }
+        self.executed(name, &values, line)
+    }
+
+    /// Value of a function whose arguments have these values; [`Value::Nothing`] if it returns none.
+    fn executed(&mut self, name: &str, values: &[Known], line: usize) -> Known {
         let Some(fact) = self.facts.function(name) else {
             return Err(self.reason(line, Obstacle::Call(name.to_owned())));
         };
         if self.is_too_deep() {
             return Err(self.reason(line, Obstacle::Recursion(name.to_owned())));
         }
-        let mut values: Vec<Known> = Vec::new();
-        for argument in arguments {
-            values.push(self.value(argument));
-        }
         let place = std::mem::replace(&mut self.place, fact.place.clone());
-        let function = &fact.function;
-        let returned = self.in_frame(BTreeMap::new(), |run| {
-            for (index, argument) in function.arguments.iter().enumerate() {
+        let returned = self.in_frame(|run| {
+            for (index, argument) in fact.function.arguments.iter().enumerate() {
                 let key = run.declare(argument);
                 run.set(key, values.get(index).cloned().unwrap_or(Ok(Value::Nothing)));
             }
-            run.list(&function.body, 0)
+            run.list(&fact.function.body, 0)
         });
         self.place = place;
         returned.unwrap_or(Ok(Value::Nothing))
@@ -203,26 +206,14 @@ impl Run<'_> {
 
 /// Value of a function with its arguments by their names.
 pub(super) fn function_value(run: &mut Run, name: &str) -> Known {
-    let Some(fact) = run.facts.function(name) else {
-        return Err(run.reason(0, Obstacle::Call(name.to_owned())));
-    };
-    if run.is_too_deep() {
-        return Err(run.reason(0, Obstacle::Recursion(name.to_owned())));
-    }
-    run.place = fact.place.clone();
-    let function = &fact.function;
-    let returned = run.in_frame(BTreeMap::new(), |run| {
-        for argument in &function.arguments {
-            let key = run.declare(argument);
-            run.set(key, Ok(Value::Name(argument_key(name, argument))));
+    let arguments = run.facts.function(name).map(|fact| fact.function.arguments.as_slice()).unwrap_or_default();
+    let values: Vec<Known> = arguments.iter().map(|argument| Ok(Value::Name(argument_key(name, argument)))).collect();
+    match run.executed(name, &values, 0)? {
+        Value::Nothing => {
+            let place = run.facts.function(name).map_or_else(|| run.place.clone(), |fact| fact.place.clone());
+            Err(Reason { place, obstacle: Obstacle::Call(name.to_owned()) })
         }
-        run.list(&function.body, 0)
-    });
-    match returned {
-        Some(Ok(Value::Nothing)) | None => {
-            Err(Reason { place: fact.place.clone(), obstacle: Obstacle::Call(name.to_owned()) })
-        }
-        Some(known) => known,
+        value => Ok(value),
     }
 }
 

@@ -1,10 +1,13 @@
 //! Values of expressions of JavaScript.
 
 use super::facts::Role;
-use super::run::{Known, LOCAL, Phase, Run};
+use super::run::{Known, Phase, Run};
 use super::value::{Kind, Value};
 use crate::refusal::Obstacle;
 use crate::script::{Expression, Node, Operator};
+
+/// Greatest size of a value that is written out where its name is read, in nodes.
+const LARGEST_COPY: usize = 400;
 
 /// Roots of paths that lead to the page, the view or the player.
 const OUTSIDE: [&str; 14] = [
@@ -116,23 +119,20 @@ impl Run<'_> {
         if value == Value::Nothing {
             return Ok(value);
         }
-        let is_settled = self.is_settled(key);
-        let is_local = key.contains(LOCAL);
-        let by_name = match self.phase {
-            Phase::Motion | Phase::Fixed => is_settled && !value.is_plain() && !(is_local && self.depth > 0),
-            Phase::Start => !is_local && is_settled,
-            Phase::Event | Phase::Function => false,
-        };
-        if is_local && by_name && matches!(self.phase, Phase::Motion | Phase::Fixed) {
-            return Ok(Value::Name(key.to_owned()));
+        if self.is_settled(key) {
+            match (self.phase, self.facts.role(key)) {
+                (Phase::Motion | Phase::Fixed, Some(_)) | (Phase::Start, Some(Role::Constant)) => {
+                    return Ok(Value::Name(key.to_owned()));
+                }
+                // A local of a page becomes a definition; one of a function has no name outside.
+                (Phase::Motion | Phase::Fixed, None) if self.depth == 0 && !value.is_plain() => {
+                    return Ok(Value::Name(key.to_owned()));
+                }
+                (Phase::Start, Some(Role::State)) if !value.is_plain() => return Ok(Value::Start(key.to_owned())),
+                _ => {}
+            }
         }
-        match (self.phase, self.facts.role(key)) {
-            (Phase::Motion | Phase::Fixed, Some(_)) if is_settled => Ok(Value::Name(key.to_owned())),
-            (Phase::Start, Some(Role::Constant)) if by_name => Ok(Value::Name(key.to_owned())),
-            (Phase::Start, Some(Role::State)) if by_name && !value.is_plain() => Ok(Value::Start(key.to_owned())),
-            _ if value.size() > 400 => Err(self.reason(line, Obstacle::TooLong)),
-            _ => Ok(value),
-        }
+        if value.size() > LARGEST_COPY { Err(self.reason(line, Obstacle::TooLong)) } else { Ok(value) }
     }
 
     /// Value of an expression as a number.

@@ -167,6 +167,11 @@ impl Facts {
         self.variables.get(name).map(|fact| fact.role)
     }
 
+    /// Row of a variable in its table; for a key that is no variable the part of the simulation in which it stands.
+    pub fn place_of(&self, key: &str, section: Section) -> Place {
+        self.variables.get(key).map_or_else(|| Place::new(section, ""), |fact| fact.place.clone())
+    }
+
     pub fn function(&self, name: &str) -> Option<&FunctionFact> {
         self.functions.get(name)
     }
@@ -273,7 +278,7 @@ fn declared_names(statements: &[Statement], names: &mut BTreeSet<String>) {
     }
 }
 
-/// The active equations of a simulation, if there is exactly one page of them.
+/// The active pages of equations of a simulation.
 pub(crate) fn active_equations(simulation: &Simulation) -> Vec<&Equations> {
     let equations = simulation.evolution.iter().filter_map(|page| match page {
         EvolutionPage::Equations(equations) if equations.is_active => Some(equations),

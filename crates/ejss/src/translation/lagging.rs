@@ -4,7 +4,7 @@ use super::facts::Facts;
 use super::motion::Motion;
 use super::needs::Search;
 use super::value::Value;
-use crate::place::{Place, Reason, Section};
+use crate::place::{Reason, Section};
 use crate::refusal::Obstacle;
 use crate::report::{EntryKind, Report};
 use units::words;
@@ -26,8 +26,7 @@ impl Motion {
             let Some(later) = later else { continue };
             let mut search = Search::new(facts, self);
             search.key(&later);
-            let place =
-                facts.variable(key).map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
+            let place = facts.place_of(key, Section::FixedRelations);
             if search.found.contains(key) {
                 let reason = Reason { place, obstacle: Obstacle::Past(later) };
                 if let Some((_, known)) = self.definitions.get_mut(index) {

@@ -25,4 +25,6 @@ mod writing;
 pub(crate) use blocker::Blocker;
 pub(crate) use facts::active_equations;
 pub(crate) use method::method_of;
+pub(crate) use picture::is_drawn;
+pub(crate) use plots::is_trail;
 pub(crate) use solved::{Document, Solved};

@@ -1,7 +1,7 @@
 //! The model block of a translated document.
 
 use super::choices::sets;
-use super::controls::{Control, Label, label};
+use super::controls::{Control, label};
 use super::facts::Role;
 use super::names::{ARGUMENT, Names};
 use super::plots;
@@ -9,6 +9,7 @@ use super::solved::{Document, Solved};
 use super::value::{Kind, Value};
 use super::writing::{quoted, statement, written};
 use crate::place::{Place, Section};
+use crate::prose::plain_text;
 use crate::report::{EntryKind, Report};
 use std::collections::BTreeSet;
 use units::number::shortest;
@@ -32,7 +33,7 @@ impl Solved {
         writer.choices();
         writer.functions();
         writer.definitions();
-        writer.equations();
+        writer.equations(report);
         writer.discrete();
         writer.events();
         let Writer { names, lines, .. } = writer;
@@ -82,10 +83,7 @@ impl Writer<'_> {
         for key in keys {
             if let Some(name) = self.names.declare(key) {
                 let original = super::names::original(key);
-                let place = solved
-                    .facts
-                    .variable(key)
-                    .map_or_else(|| Place::new(Section::Variables, ""), |fact| fact.place.clone());
+                let place = solved.facts.place_of(key, Section::Variables);
                 report.add(EntryKind::Changed, place, words!("`{original}` is called `{name}` here."));
             }
         }
@@ -130,25 +128,14 @@ impl Writer<'_> {
         unit.map(|unit| format!(" [{unit}]")).unwrap_or_default()
     }
 
-    fn control(&self, key: &str) -> Option<&Control> {
-        self.solved.controls.iter().find(|control| control.variable == key && control.is_editable)
-    }
-
     /// Label of a quantity: of its control, else its comment.
     fn label(&self, key: &str) -> String {
         let of_control =
             self.solved.controls.iter().find(|control| control.variable == key && !control.label.text.is_empty());
-        let text = match of_control {
-            Some(control) => control.label.text.clone(),
-            None => {
-                let Label { text, .. } = self
-                    .solved
-                    .facts
-                    .variable(key)
-                    .map(|fact| label(&crate::prose::plain_text(&fact.comment)))
-                    .unwrap_or_default();
-                text
-            }
+        let text = match (of_control, self.solved.facts.variable(key)) {
+            (Some(control), _) => control.label.text.clone(),
+            (None, Some(fact)) => label(&plain_text(&fact.comment)).text,
+            (None, None) => String::new(),
         };
         if text.is_empty() { String::new() } else { format!(" {}", quoted(&text)) }
     }
@@ -162,14 +149,13 @@ impl Writer<'_> {
             }
             let Some(Ok(value)) = solved.motion.start.get(name) else { continue };
             let (spelling, label, unit) = (self.names.spelling(name), self.label(name), self.unit(name));
-            match (solved.kind(name), self.control(name), value) {
+            match (solved.kind(name), solved.control(name), value) {
                 (Kind::Truth, _, Value::Truth(truth)) => {
                     self.lines.push(format!("switch {spelling} = {}{label}", if *truth { "on" } else { "off" }));
                 }
                 (Kind::Number, Some(control), value) => match number(solved, value) {
                     Some(number) => {
-                        let control = control.clone();
-                        let range = self.range(&control, number, report);
+                        let range = range(control, number, report);
                         self.lines.push(format!("parameter {spelling} = {}{unit}{range}{label}", exact(value, number)));
                     }
                     None => {
@@ -197,19 +183,6 @@ impl Writer<'_> {
             _ => false,
         };
         if unit.is_empty() || is_number { unit } else { format!(" in{unit}") }
-    }
-
-    /// Range and step of a control, wide enough for the value.
-    fn range(&self, control: &Control, value: f64, report: &mut Report) -> String {
-        let Some((low, high)) = control.range else { return String::new() };
-        if !(low..=high).contains(&value) {
-            let (name, shown) = (&control.variable, shortest(value));
-            report.add(EntryKind::Changed, control.place.clone(), words!("The value of `{name}` at the start, {shown}, lies outside of the range of its control: the range is wider here."));
-        }
-        let (low, high) = (low.min(value), high.max(value));
-        let step = control.step.filter(|step| *step < high - low);
-        let step = step.map(|step| format!(" step {}", shortest(step))).unwrap_or_default();
-        format!(" in {}..{}{step}", shortest(low), shortest(high))
     }
 
     fn choices(&mut self) {
@@ -252,11 +225,7 @@ impl Writer<'_> {
         for (key, known) in &self.solved.motion.definitions {
             let (true, Ok(value)) = (self.solved.used.contains(key), known) else { continue };
             let label = self.label(key);
-            let unit = if self.has_units && self.solved.units.contains_key(key) {
-                self.unit_of(value, key)
-            } else {
-                String::new()
-            };
+            let unit = self.unit_of(value, key);
             let right = match value {
                 // A definition that is always true or false compares two numbers.
                 Value::Truth(truth) => format!("0 {} 0", if *truth { "==" } else { "!=" }),
@@ -267,7 +236,7 @@ impl Writer<'_> {
         }
     }
 
-    fn equations(&mut self) {
+    fn equations(&mut self, report: &mut Report) {
         let solved = self.solved;
         for (state, rate) in &solved.motion.rates {
             let Ok(rate) = rate else { continue };
@@ -281,7 +250,7 @@ impl Writer<'_> {
             let (name, label, unit) = (self.names.spelling(state), self.label(state), self.unit(state));
             if let Some((control, number)) = solved.start_parameter(state) {
                 let parameter = self.names.invent(&format!("{name}_0"));
-                let range = self.range(&control.clone(), number, &mut Report::default());
+                let range = range(control, number, report);
                 self.lines.push(format!("parameter {parameter} = {}{unit}{range}{label}", exact(value, number)));
                 starts.push((name, parameter, String::new(), label));
             } else {
@@ -334,6 +303,19 @@ impl Writer<'_> {
             self.lines.push(format!("}}{label}"));
         }
     }
+}
+
+/// Range and step of a control, wide enough for the value.
+fn range(control: &Control, value: f64, report: &mut Report) -> String {
+    let Some((low, high)) = control.range else { return String::new() };
+    if !(low..=high).contains(&value) {
+        let (name, shown) = (&control.variable, shortest(value));
+        report.add(EntryKind::Changed, control.place.clone(), words!("The value of `{name}` at the start, {shown}, lies outside of the range of its control: the range is wider here."));
+    }
+    let (low, high) = (low.min(value), high.max(value));
+    let step = control.step.filter(|step| *step < high - low);
+    let step = step.map(|step| format!(" step {}", shortest(step))).unwrap_or_default();
+    format!(" in {}..{}{step}", shortest(low), shortest(high))
 }
 
 /// Number of a constant value, with the constants at the start of the run.

@@ -5,7 +5,7 @@ use super::facts::{Facts, Role};
 use super::motion::Motion;
 use super::run::{Phase, Run};
 use super::value::Value;
-use crate::place::Reason;
+use crate::place::{Reason, Section};
 use crate::refusal::Obstacle;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -49,6 +49,22 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     pub fn new(facts: &'a Facts, motion: &'a Motion) -> Self {
         Self { facts, motion, functions: Functions::default(), found: BTreeSet::new(), missing: Vec::new() }
+    }
+
+    /// Follows the states: their rates, their values at the start, and the events that change them.
+    pub fn states(&mut self) {
+        let motion = self.motion;
+        for (state, rate) in &motion.rates {
+            rate.iter().for_each(|value| self.value(value));
+            self.key(state);
+            self.events_of(state);
+        }
+    }
+
+    /// True if something that has been reached changes during a run.
+    pub fn moves(&self) -> bool {
+        let is_moving = |key: &String| matches!(self.facts.role(key), Some(Role::State | Role::Time | Role::Discrete));
+        self.found.iter().any(is_moving)
     }
 
     /// Follows a value.
@@ -122,8 +138,7 @@ impl<'a> Search<'a> {
     }
 
     fn without_value(&mut self, key: &str) {
-        let place = self.facts.variable(key).map(|fact| fact.place.clone());
-        let place = place.unwrap_or_else(|| crate::place::Place::new(crate::place::Section::Variables, ""));
+        let place = self.facts.place_of(key, Section::Variables);
         let obstacle = match self.facts.variable(key) {
             Some(fact) if fact.is_array => Obstacle::Array(key.to_owned()),
             _ => Obstacle::NoValue(super::names::original(key).to_owned()),

@@ -69,7 +69,8 @@ pub(super) fn inside(simulation: &Simulation, container: usize) -> Vec<(usize, &
     simulation.view.iter().enumerate().filter(|(index, _)| is_inside(*index)).collect()
 }
 
-fn is_trail(element: &Element) -> bool {
+/// True for the way of a point.
+pub(crate) fn is_trail(element: &Element) -> bool {
     matches!(element.kind.as_str(), "Trail2D" | "Trace" | "Trail")
 }
 

@@ -234,8 +234,8 @@ impl<'a> Run<'a> {
     }
 
     /// Calls `body` with a frame of its own, one call deeper.
-    pub fn in_frame<T>(&mut self, frame: BTreeMap<String, String>, body: impl FnOnce(&mut Self) -> T) -> T {
-        self.frames.push(frame);
+    pub fn in_frame<T>(&mut self, body: impl FnOnce(&mut Self) -> T) -> T {
+        self.frames.push(BTreeMap::new());
         self.depth += 1;
         let result = body(self);
         self.depth -= 1;
@@ -273,7 +273,7 @@ impl<'a> Run<'a> {
             Some(name) if self.facts.function(name).is_some() => _ = self.inlined(name, arguments, line),
             _ => {
                 let obstacle = self.view_obstacle(callee).unwrap_or_else(|| Obstacle::Call(callee.path()));
-                // A function that nobody knows may move anything.
+                // An unknown function may move anything.
                 if matches!(obstacle, Obstacle::Call(_)) && callee.name().is_some() && self.phase != Phase::Function {
                     let reason = self.reason(line, obstacle.clone());
                     self.blockers.push(reason);

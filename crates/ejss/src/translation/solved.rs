@@ -102,28 +102,31 @@ impl Solved {
             let shown = facts.variable(&equations.independent).map(|fact| fact.value.clone()).unwrap_or_default();
             return Err(Blocker::StartOfTime(shown));
         }
-        let mut needs = Search::new(&facts, &motion);
-        for (state, rate) in &motion.rates {
-            match rate {
-                Ok(value) => needs.value(value),
-                Err(reason) => return Err(Blocker::Needed(state.clone(), reason.clone())),
-            }
-            needs.key(state);
-            needs.events_of(state);
+        let unknown = motion.rates.iter().find_map(|(state, rate)| Some((state, rate.as_ref().err()?)));
+        if let Some((state, reason)) = unknown {
+            return Err(Blocker::Needed(state.clone(), reason.clone()));
         }
+        let mut needs = Search::new(&facts, &motion);
+        needs.states();
         if let Some((key, reason)) = needs.missing.first() {
             return Err(Blocker::Needed(key.clone(), reason.clone()));
         }
         let needed = needs.found;
-        let mut solved = Self::shown(simulation, files, facts, motion, report);
-        (solved.step, solved.increment) = (step, increment);
+        let solved = Self::shown(simulation, files, facts, motion, [step, increment], report);
         solved.report_held(&needed, report);
         solved.report_left(simulation, report);
         Ok(solved)
     }
 
     /// Adds what the view shows: controls, choices, plots and the picture.
-    fn shown(simulation: &Simulation, files: &Files, facts: Facts, motion: Motion, report: &mut Report) -> Self {
+    fn shown(
+        simulation: &Simulation,
+        files: &Files,
+        facts: Facts,
+        motion: Motion,
+        [step, increment]: [f64; 2],
+        report: &mut Report,
+    ) -> Self {
         let controls = controls(simulation, &facts);
         let start = |name: &str| motion.start.get(name).and_then(|known| known.as_ref().ok()).cloned();
         let choices = choices(simulation, &facts, &start, report);
@@ -131,11 +134,7 @@ impl Solved {
         let mut picture = picture(simulation, &facts, files, report);
         let (until, events) = until(&facts, &motion, report);
         let mut search = Search::new(&facts, &motion);
-        for (state, rate) in &motion.rates {
-            search.key(state);
-            search.events_of(state);
-            rate.iter().for_each(|value| search.value(value));
-        }
+        search.states();
         // Plots and drawings use only what has a value.
         let is_known = |value: &Value| {
             let mut trial = Search::new(&facts, &motion);
@@ -144,13 +143,9 @@ impl Solved {
         };
         for plot in &mut plots {
             plot.curves.retain(|curve| is_known(curve) && is_known(&plot.against));
-            plot.curves
-                .iter()
-                .chain([&plot.against])
-                .filter(|value| is_known(value))
-                .for_each(|value| search.value(value));
         }
         plots.retain(|plot| !plot.curves.is_empty());
+        plots.iter().flat_map(|plot| plot.curves.iter().chain([&plot.against])).for_each(|value| search.value(value));
         if let Some(picture) = &mut picture {
             picture.keep(&is_known, report);
             picture.values().into_iter().for_each(|value| search.value(value));
@@ -211,8 +206,8 @@ impl Solved {
             units,
             events,
             until,
-            step: 0.0,
-            increment: 0.0,
+            step,
+            increment,
             facts,
         }
     }
@@ -227,7 +222,7 @@ impl Solved {
         let frames: f64 = simulation.frames_per_second.trim().parse().ok()?;
         let steps: f64 = simulation.steps_per_display.trim().parse().unwrap_or(1.0);
         let speed = self.increment * frames * steps;
-        // Products of decimal numbers have digits that nobody wrote.
+        // A product of decimal numbers has further digits from rounding.
         let speed = (speed * 1e9).round() / 1e9;
         (speed > 0.0 && speed.is_finite()).then_some(speed)
     }
@@ -235,8 +230,7 @@ impl Solved {
     /// Reports quantities that EJS holds through a step, and corners that its steps pass over.
     fn report_held(&self, needed: &BTreeSet<String>, report: &mut Report) {
         for name in &self.motion.held_functions {
-            let place =
-                self.facts.function(name).map_or_else(|| Place::new(Section::Custom, ""), |fact| fact.place.clone());
+            let Some(place) = self.facts.function(name).map(|fact| fact.place.clone()) else { continue };
             report.add(
                 EntryKind::Differs,
                 place,
@@ -254,15 +248,10 @@ impl Solved {
         for name in self.motion.held.intersection(needed) {
             let mut search = Search::new(&self.facts, &self.motion);
             search.key(name);
-            let moves = |key: &String| matches!(self.facts.role(key), Some(Role::State | Role::Time | Role::Discrete));
-            if search.found.iter().any(moves) {
-                let place = self
-                    .facts
-                    .variable(name)
-                    .map_or_else(|| Place::new(Section::FixedRelations, ""), |fact| fact.place.clone());
+            if search.moves() {
                 report.add(
                     EntryKind::Differs,
-                    place,
+                    self.facts.place_of(name, Section::FixedRelations),
                     words!("`{name}` is computed after each step in the original, and the rates use the value of the step before. Here it follows the states at once: the motion differs, and is the more exact one."),
                 );
             }
@@ -289,9 +278,7 @@ impl Solved {
                     part.walk(&mut |inner| {
                         has_argument |= matches!(inner, Value::Name(name) if name.contains(super::names::ARGUMENT))
                     });
-                    let moves =
-                        |key: &String| matches!(self.facts.role(key), Some(Role::State | Role::Time | Role::Discrete));
-                    found = has_argument || search.found.iter().any(moves);
+                    found = has_argument || search.moves();
                 }
             });
         }
@@ -356,9 +343,14 @@ impl Solved {
             || self.choices.iter().any(|choice| super::choices::sets(choice).into_iter().any(|own| own == name))
     }
 
+    /// Control that sets a variable.
+    pub(super) fn control(&self, variable: &str) -> Option<&Control> {
+        self.controls.iter().find(|control| control.variable == variable && control.is_editable)
+    }
+
     /// Control that sets a state at the start, if the state begins with a number.
     pub(super) fn start_parameter(&self, state: &str) -> Option<(&Control, f64)> {
-        let control = self.controls.iter().find(|control| control.variable == state && control.is_editable)?;
+        let control = self.control(state)?;
         let value = self.motion.start.get(state)?.as_ref().ok()?.constant(&|_| None)?;
         Some((control, value))
     }

@@ -1,6 +1,7 @@
 //! Values as text of the document's language.
 
 use super::value::Value;
+use crate::prose::{cut, visible};
 use crate::script::Operator;
 
 /// Longest line of a statement, in characters, before it is divided.
@@ -149,13 +150,8 @@ fn sign(operator: Operator) -> (&'static str, u8) {
 
 /// Text in quotation marks, without what would end it.
 pub(super) fn quoted(text: &str) -> String {
-    let text: String = text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    let text = text.replace('"', "'").replace('\\', "/").replace('`', "'");
-    let text = text.trim();
-    if text.chars().count() <= LONGEST_TEXT {
-        return format!("\"{text}\"");
-    }
-    format!("\"{}…\"", text.chars().take(LONGEST_TEXT - 1).collect::<String>())
+    let text = visible(text).replace('"', "'").replace('\\', "/").replace('`', "'");
+    format!("\"{}\"", cut(text.trim(), LONGEST_TEXT))
 }
 
 /// Statement `left = right` on lines of bounded length. `behind`: unit, label and comment.

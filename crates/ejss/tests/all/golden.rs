@@ -1,4 +1,4 @@
-//! The document of each simulation of the folder, byte for byte, from both formats. `GOLDEN=write` writes the documents anew:
+//! The document of each simulation of the folder, byte for byte, from both formats. `GOLDEN=write` replaces the documents:
 //! read them before they are committed.
 
 use crate::support::{folder, import, simulations, utf16};

@@ -22,7 +22,7 @@ impl Report {
         &self.name
     }
 
-    /// What was not carried over.
+    /// Entries in the order of the report.
     pub fn entries(&self) -> &[Entry] {
         self.imported.report.entries()
     }

@@ -15,19 +15,14 @@ pub fn is_open(app: App, report: &Report) -> bool {
     app.with(|lab| lab.sources.first().is_some_and(|source| source.name == report.name())) == Some(true)
 }
 
-/// True if the name of a file is that of a simulation.
-pub fn is_simulation(file: &File) -> bool {
-    let name = file.name().to_lowercase();
-    name.ends_with(".ejss") || name.ends_with("source.json")
-}
-
-/// True if an archive holds a simulation.
-pub async fn is_packed_simulation(file: &File) -> bool {
-    if !file.name().to_lowercase().ends_with(".zip") {
-        return false;
+/// True for a simulation, and for an archive that holds one.
+pub async fn is_simulation(file: &File) -> bool {
+    let name = file.name();
+    if !name.to_lowercase().ends_with(".zip") {
+        return ejss::is_simulation(&name);
     }
     let bytes = browser::wait(file.array_buffer()).await;
-    bytes.is_ok_and(|bytes| ejss::is_simulation("", &Uint8Array::new(&bytes).to_vec()))
+    bytes.is_ok_and(|bytes| ejss::holds_simulation(&Uint8Array::new(&bytes).to_vec()))
 }
 
 /// Opens the document of a simulation in *Write*, with its report.

@@ -52,12 +52,12 @@ pub fn open(app: App, files: &FileList) {
             class::open(app);
             class::add_sheets(app, sheets).await;
         }
-        let mut others = Vec::new();
+        let (mut simulations, mut others) = (Vec::new(), Vec::new());
         for file in files {
-            if imported::is_simulation(&file) || imported::is_packed_simulation(&file).await {
-                return imported::open(app, &file).await;
-            }
-            others.push(file);
+            if imported::is_simulation(&file).await { simulations.push(file) } else { others.push(file) }
+        }
+        if let Some(file) = simulations.into_iter().next() {
+            imported::open(app, &file).await;
         }
         let files = others;
         let (projects, files): (Vec<File>, Vec<File>) = files.into_iter().partition(project::is_project);

@@ -5,7 +5,7 @@ use crate::app::App;
 use crate::documents::imported::is_open;
 use view::views::*;
 
-/// What the import did not carry over, folded behind the number of entries; hidden for other documents.
+/// Entries of the report, folded behind their number; hidden for other documents.
 pub fn view(app: App) -> View {
     changing(move || {
         app.written.track();

@@ -54,7 +54,7 @@ const DRAWN: [&str; 9] =
     ["Shape2D", "Segment2D", "Arrow2D", "Spring2D", "Text2D", "Image2D", "Trail2D", "Trace", "Group2D"];
 
 /// True for an element that the drawing carries over.
-pub(in super::super) fn is_drawn(kind: &str) -> bool {
+pub(crate) fn is_drawn(kind: &str) -> bool {
     DRAWN.contains(&kind)
 }
 
@@ -300,7 +300,7 @@ fn sum(left: Value, right: Value) -> Value {
     let mut terms: Vec<(bool, Value)> = Vec::new();
     collect(left, false, &mut number, &mut terms);
     collect(right, false, &mut number, &mut terms);
-    // Sums of decimal numbers have digits that nobody wrote.
+    // A sum of decimal numbers has further digits from rounding.
     let number = (number * 1e12).round() / 1e12;
     let mut result: Option<Value> = None;
     for (is_negative, term) in terms {

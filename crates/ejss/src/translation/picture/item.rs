@@ -2,6 +2,7 @@
 
 use super::super::facts::{Facts, Role};
 use super::super::value::Value;
+use crate::prose::visible;
 use units::markup::escaped;
 
 /// Element of the drawing.
@@ -47,8 +48,7 @@ impl Item {
 
 /// Text between tags of a scene: no markup, and braces twice.
 pub(super) fn in_text(text: &str) -> String {
-    let visible: String = text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
-    escaped(&visible).replace('{', "{{").replace('}', "}}").replace('`', "'")
+    escaped(&visible(text)).replace('{', "{{").replace('}', "}}").replace('`', "'")
 }
 
 /// True if a value is exactly a state.

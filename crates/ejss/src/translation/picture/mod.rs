@@ -14,6 +14,7 @@ use crate::reading::Files;
 use crate::report::{EntryKind, Report};
 use crate::script::Operator;
 use crate::simulation::Simulation;
+pub(crate) use elements::is_drawn;
 use item::{Item, in_text};
 use std::fmt::Write as _;
 use units::number::shortest;

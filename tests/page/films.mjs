@@ -113,4 +113,4 @@ export async function onScreen(lab, [x, y], size = SIZE) {
 }
 
 export const clickFilmed = async (lab, at, size = SIZE) => lab.page.mouse.click(...(await onScreen(lab, at, size)));
-export const tracked = (lab) => lab.page.locator("#film-fit").waitFor({ timeout: 60_000 });
+export const tracked = (lab) => lab.page.locator("#film-record").waitFor({ timeout: 60_000 });

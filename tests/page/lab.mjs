@@ -290,8 +290,9 @@ export class Lab {
   /** Chooses a preset: with its button, or from the list of its group where there are many. */
   async preset(name) {
     const choice = this.page.locator(".preset-choice select").filter({ has: this.page.getByRole("option", { name, exact: true }) });
-    if (await choice.count()) await choice.selectOption({ label: name });
-    else await this.button(name).click();
+    const chip = this.page.locator(".preset-group .chip").filter({ has: this.page.getByText(name, { exact: true }) });
+    await this.play(choice.or(chip));
+    await ((await choice.count()) ? choice.selectOption({ label: name }) : chip.click());
     await this.drawn();
   }
 
@@ -345,9 +346,9 @@ export class Lab {
 
   /** What stands beside a name among the values. */
   async value(name) {
-    await this.play(this.page.locator("#readouts"));
+    const row = this.page.locator(".readouts dl > div").filter({ has: this.page.getByText(name, { exact: true }) });
+    await this.play(row);
     await this.drawn();
-    const row = this.page.locator("#readouts dl > div").filter({ has: this.page.getByText(name, { exact: true }) });
     return (await sight(row.locator("dd"))).trim();
   }
 

@@ -28,6 +28,14 @@ export async function openTheory(lab, title) {
 
 export const records = (lab) => lab.page.locator("article.record");
 
+/** Unfolds a step of fitting in the tab *Measure*: `record`, `theory`, or `fit` with all numbers. */
+export async function unfold(lab, step) {
+  const card = lab.page.locator(`#${step}-step`);
+  await card.waitFor();
+  if (!(await card.evaluate((card) => card.open))) await card.locator("> summary").click();
+  await lab.drawn();
+}
+
 /** Fits and waits; the estimates by their symbols' names. */
 export async function fit(lab, button = "#fit") {
   await lab.page.locator("#tab-measure").click();
@@ -37,8 +45,9 @@ export async function fit(lab, button = "#fit") {
 
 /** Waits until a fit that was started has ended. */
 export async function fitted(lab) {
-  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await lab.page.locator(".estimates").waitFor({ state: "attached", timeout: 60_000 });
   await eventually(async () => assert.equal(await lab.page.locator("#cancel-fit").count(), 0), 60);
+  await unfold(lab, "fit");
   return estimates(lab);
 }
 

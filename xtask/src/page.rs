@@ -56,6 +56,7 @@ const KINDS: [Kind; 2] = [
             "view/page/style.css",
             "view/page/stage.css",
             "view/page/panel.css",
+            "view/page/reading.css",
             "view/page/narrow.css",
             "player/page/embedded.css",
             "view/page/print.css",
@@ -66,21 +67,16 @@ const KINDS: [Kind; 2] = [
     Kind {
         package: "lab",
         global: "laboratory",
-        styles: &[
-            "view/page/style.css",
-            "view/page/stage.css",
-            "view/page/panel.css",
-            "view/page/narrow.css",
-            "view/page/print.css",
-        ],
+        styles: &["view/page/style.css", "view/page/stage.css", "view/page/panel.css", "view/page/narrow.css"],
         is_laboratory: true,
         path: steps::page,
     },
 ];
 
-/// Style sheets of the laboratory below `crates`, which follow the player. Those for narrow windows and for printing stand after
-/// them once more, because they overrule them.
-const LATER_STYLES: [&str; 9] = [
+/// Style sheets of the laboratory below `crates`, which follow the player. That for narrow windows stands after them once more,
+/// because it overrules them.
+const LATER_STYLES: [&str; 10] = [
+    "view/page/reading.css",
     "lab/page/measure.css",
     "lab/page/film.css",
     "lab/page/library.css",

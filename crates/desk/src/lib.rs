@@ -32,6 +32,7 @@ mod workbook;
 mod writing;
 
 pub use analysis::derivative::Differentiation;
+pub use analysis::fit::Nearness;
 pub use analysis::import::DateOrder;
 pub use analysis::smoothing::WIDEST;
 pub use analysis::tracker::{Gathering, gathering};

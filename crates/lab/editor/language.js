@@ -8,7 +8,7 @@ import { tags } from "@lezer/highlight";
 const WORDS = new Set(
   (
     "parameter independent when in if then else and or not discrete every button size table function choice switch next for " +
-    "step from until as let stop by hidden true false on off while smooth linear against set answer hint explanation within hide supposing group at always end " +
+    "step from until as let stop by hidden true false on off while smooth linear against set answer attempts hint explanation within hide supposing group at always end " +
     "histogram scatter section"
   ).split(" "),
 );
@@ -60,7 +60,7 @@ function prose(stream) {
 
 /** The words of a question are prose; what is computed stands behind `set`, `hide` and `answer`. */
 function question(stream, state) {
-  const key = stream.sol() && stream.match(/^\s*(after|set|hide|answer|hint|explanation)(?=\s*:)/);
+  const key = stream.sol() && stream.match(/^\s*(after|set|hide|answer|attempts|hint|explanation)(?=\s*:)/);
   if (!key) return state.computed ? equation(stream) : prose(stream);
   state.computed = !["after", "hint", "explanation"].includes(key[1]);
   return "keyword";

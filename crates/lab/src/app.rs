@@ -6,6 +6,7 @@ use crate::class::{Room, SurveyRoom};
 use crate::documents::import_report::Report as Imported;
 use crate::documents::stored::{Kept, Saved, VersionTimes};
 use crate::film::{Films, Player};
+use crate::fit::Fitting;
 use crate::guide::Step;
 use crate::publish::Sheet;
 use crate::verifying::verdict::Verified;
@@ -119,6 +120,8 @@ pub struct Laboratory {
     pub class: Room,
     /// The answers of the class to surveys.
     pub survey: SurveyRoom,
+    /// What the strip under the plots and the tab *Measure* share about fits.
+    pub fit: Fitting,
     /// Progress of the fits started by the user, `None` while none runs.
     pub fit_progress: Signal<Option<FitProgress>>,
     /// Progress of reading a file as a record, `None` while none is read.
@@ -224,6 +227,7 @@ impl App {
             films: Films::new(),
             class: Room::new(language),
             survey: SurveyRoom::new(),
+            fit: Fitting::new(),
             fit_progress: create_signal(None),
             record_progress: create_signal(None),
             record_refusal: create_signal(None),

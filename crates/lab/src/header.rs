@@ -1,9 +1,9 @@
 //! Header of the page: logo, title of the document, and controls for the whole page.
 
 use crate::app::App;
-use crate::{library::list as library_list, measuring::files, publish, welcome};
+use crate::{library, library::list as library_list, measuring::files, publish, welcome};
 use view::views::*;
-use view::{page::everything, page::header};
+use view::{browser, page::everything, page::header, pieces::icons};
 use web_sys::HtmlInputElement;
 
 /// The header.
@@ -14,7 +14,12 @@ pub fn view(app: App) -> HtmlHeader {
     let everything = header::everything(app.page).title(app.words().everything_title);
     let everything = everything.when(events::click, move |_| everything::turn(app.page));
     let own = View::from((browse, publish::button_of(app), everything));
-    header::view(app.page, welcome::view(app), own, open_button(app))
+    let published = labelled(icons::books(), app.words().published).id("published");
+    let published = published.when(events::click, move |_| {
+        library_list::open(app, library::PUBLISHED);
+        browser::focus_later("menu".to_owned());
+    });
+    header::view(app.page, welcome::view(app), own, View::from((open_button(app), published)))
 }
 
 fn open_button(app: App) -> View {

@@ -1,9 +1,9 @@
-//! First things to do, on the opening document: the guided start, a film of one's own, the published simulation.
+//! First things to do, on the opening document: the guided start, a film of one's own.
 
 use crate::app::App;
-use crate::{documents::visited, guide, library, library::list as library_list};
+use crate::{documents::visited, guide, library};
 use play::Subject;
-use view::page::welcome::{DECLINE, FILM, GUIDE, OPENING, PUBLISHED};
+use view::page::welcome::{FILM, GUIDE, OPENING};
 use view::views::*;
 use view::{browser, page::welcome, panel::tabs};
 use web_sys::HtmlElement;
@@ -37,15 +37,7 @@ fn press(app: App, id: &str) {
             app.is_first_visit.set(false);
             guide::begin(app);
         }
-        DECLINE => {
-            app.is_first_visit.set(false);
-            browser::focus_later(GUIDE.to_owned());
-        }
         FILM => film(app),
-        PUBLISHED => {
-            library_list::open(app, library::PUBLISHED);
-            browser::focus_later("browse".to_owned());
-        }
         _ => {}
     }
 }

@@ -8,6 +8,7 @@ table_of_words! {
     // Page.
     library_title: "Simulations and theories that this page carries";
     open_title: "Open a simulation document or an exported page";
+    published: "The U-tube as published";
     publish_title: "Link, page, frame for other pages, QR code, files";
     link_without_translations: "The translations are too long for a link";
     link_needs_file: "The document is too long for a link; whoever opens it also needs the file";
@@ -35,6 +36,7 @@ table_of_words! {
     dates_asked: "has dates such as 02/03/2024. Which comes first?";
     day_first: "the day";
     month_first: "the month";
+    another_record: "Another record";
     not_lasting: "too long to be kept for the next visit";
     show_record: "Show it in the plots";
     remove_record: "Remove the record";
@@ -50,7 +52,7 @@ table_of_words! {
     column_off: "not used";
     findings: "Data quality";
     virtual_measurement: "Virtual measurement";
-    virtual_intro: "A camera films the simulation as it is set now. What it reads has errors: random ones, and one that no repetition shows.";
+    virtual_intro: "A camera films the simulation as it is set now. Its readings have errors, random and systematic ones.";
     virtual_settings: "Camera and errors";
     virtual_quantity: "Filmed";
     virtual_rate: "Frames per second";
@@ -108,15 +110,17 @@ table_of_words! {
     library_theories: "Theories of a liquid column that comes to rest";
 
     // Fits.
-    fit_record: "Record to be fitted";
     fit_theory: "Theories";
     fit_step_record: "Record";
     fit_step_theory: "Theory";
-    fit_step_fit: "Result";
+    fit_step_fit: "All numbers";
     fit_options: "Options";
     fit_statistics: "Statistics";
     fit_title: "Fit a theory";
-    fit_none: "As soon as there is a record, a theory can be fitted to it here.";
+    fit_choose_theory: "Choose a theory";
+    fit_another: "Another theory?";
+    fit_another_note: "Each theory of a liquid column that this page carries is fitted to the record, the best first.";
+    fit_no_numbers: "The numbers appear here when a theory has been fitted.";
     fit_together: "Fitted together";
     fit_same: "one value for all";
     fit_same_intro: "A parameter that all records have in common is fitted to all of them at once. To use a known value for each record, untick the parameter and enter the values.";
@@ -181,6 +185,7 @@ table_of_words! {
     file_replaced: "The file has changed and has replaced the text written here. That text is in Write, under Versions.";
     file_unreadable: "cannot be read. It may have been deleted, moved, or saved as something other than text. Its last text stays open here.";
     text_runs: "No errors.";
+    text_runs_in_part: "The rest of the text runs.";
     text_waits: "The last version without errors is running.";
     show_error: "Show the error";
     show_errors: "Show # errors";
@@ -199,7 +204,7 @@ table_of_words! {
     import_translated: "The model is translated. What is missing, or differs from the original:";
     import_listed: "The model is listed and not translated:";
     import_original: "Original";
-    insight_none: "What the cursor is on is explained here.";
+    insight_none: "Help for the word under the cursor appears here.";
     panel_view: "View";
     view_drawing: "Drawing";
     view_plots: "Plots";
@@ -232,6 +237,7 @@ table_of_words! {
     question_follows: "Appears after question";
     question_follows_previous: "Show it when the question before is answered";
     question_unlocks: "Hidden until answered";
+    question_attempts: "Attempts allowed";
     question_explanation_title: "Explanation";
     question_in_text: "Go to the text";
     question_prompt_title: "What is asked";
@@ -304,9 +310,9 @@ table_of_words! {
     save_source: "Download";
     save_xlsx: "Download XLSX";
     everything_title: "Also writing, numerical method, statistics, source, checks and class";
-    everything_for_write: "Everything is shown now: this document is changed in the tab Write";
+    everything_for_write: "The tabs for teachers are shown now: this document is changed in the tab Write";
     measure_shown: "The tab Measure is shown now: what was opened needs it";
-    everything_for_class: "Everything is shown now: the hand-ins are in the tab Class";
+    everything_for_class: "The tabs for teachers are shown now: the hand-ins are in the tab Class";
 
     // Diagnostics.
     nothing_runs: "There is nothing to run yet";

@@ -75,6 +75,7 @@ fn prepare(app: App) {
     panel::follow(app);
     film::mark_page(app);
     film::follow(app);
+    fit::follow(app);
 }
 
 fn page(app: App) -> View {

@@ -43,6 +43,7 @@ pub mod words;
 
 pub use engine;
 pub use figure;
+pub use handed;
 pub use program;
 pub use units::{Language, name_of, number};
 
@@ -55,12 +56,12 @@ pub use controls::{
     ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
     PresetView, Settings, SizeView, Slider,
 };
-pub use facts::{Fact, FactValue, UNKNOWN_GRADE, facts_of_answers, facts_of_run};
+pub use facts::{UNKNOWN_GRADE, facts_of_answers, facts_of_run};
 pub use open_run::OpenRun;
 pub use play::Play;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
 pub use plots::{SweepComputation, SweepNews, SweepWork, SweepWorkers, TakenRun};
-pub use questions::{Answer, AnswerView, Answers, Attempt, Conditions, Grade, GradedAttempt, Marker, Verdict};
+pub use questions::{Answer, AnswerView, Answers, Attempt, Conditions, Grade, GradedAttempt, Limit, Marker, Verdict};
 pub use refusal::Refusal;
 pub use removed::Removals;
 pub use seat::SeatView;

@@ -14,6 +14,11 @@ pub fn truth(language: Language, value: bool) -> &'static str {
     if value { language.say("yes") } else { language.say("no") }
 }
 
+/// Text in place of a grade if a question allows no further attempt.
+pub fn no_attempts_left(language: Language) -> &'static str {
+    language.say("No attempts are left.")
+}
+
 /// Label of the readout of a dry friction.
 pub fn dry_friction(language: Language) -> &'static str {
     language.say("Dry friction")

@@ -1,26 +1,23 @@
-//! Class server that the page belongs to: takes the answers that it has of the same seat, perhaps from another device.
+//! Class server that the page belongs to: hands in to its script, and takes the answers that it has of the same seat, perhaps from
+//! another device.
 
-use crate::answers;
-use js_sys::{Array, JSON, Reflect};
+use crate::{answers, hand_in};
+use js_sys::{Array, JSON, Promise, Reflect};
 use play::{Answer, Attempt, Conditions, Grade};
-use view::views::*;
-use view::{App, browser};
+use view::{App, page::class};
 use wasm_bindgen::JsValue;
-use web_sys::CustomEvent;
 
-/// Element that the class server puts into its pages.
-const CONFIG: &str = "class-config";
-/// Event of the server's script: the text of a hand-in.
-const KNOWN: &str = "class-hand-in-known";
-
-/// Listens to the script of a class server; does nothing in any other page.
+/// Offers hand-ins to the script of a class server; does nothing in any other page.
 pub fn listen(app: App) {
-    if browser::by_id::<web_sys::Element>(CONFIG).is_none() {
+    if !class::is_here() {
         return;
     }
-    browser::listen(KNOWN, move |event: &CustomEvent| {
-        let known = event.detail().as_string().and_then(|text| JSON::parse(&text).ok());
-        let items = known.map(|known| items(&known)).unwrap_or_default();
+    let hand_in = move |name: String| {
+        let made = app.read(|play| hand_in::made(play, &name));
+        Promise::resolve(&made.map_or(JsValue::UNDEFINED, |made| class::array_of(&made.parts)))
+    };
+    let merge = move |text: String| {
+        let items = JSON::parse(&text).map(|known| items(&known)).unwrap_or_default();
         app.act(|play| {
             for (name, answer) in &items {
                 play.change_answers(|answers, run| answers.merge(run, name, answer));
@@ -28,10 +25,8 @@ pub fn listen(app: App) {
         });
         answers::save(app);
         app.rebuild();
-    });
-    if let Some(root) = document().document_element() {
-        let _ = root.set_attribute("data-class", "listens");
-    }
+    };
+    class::offer(hand_in, merge);
 }
 
 /// Value at a path of keys; undefined if there is none.

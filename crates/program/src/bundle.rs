@@ -11,7 +11,7 @@ use crate::{
 /// Signature at the start of a bundle.
 const SIGNATURE: &[u8] = b"meniscus";
 /// Format version; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 11;
+const VERSION: u8 = 12;
 /// Maximum length of a bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 

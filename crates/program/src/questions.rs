@@ -20,6 +20,13 @@ pub struct Question {
     pub unit: Unit,
     /// Allowed error of an answer.
     pub tolerance: Tolerance,
+    /// Number of attempts that count; `None` for any number. From 1 to [`Question::MOST_ATTEMPTS`].
+    pub attempts: Option<u32>,
+}
+
+impl Question {
+    /// Maximum limit of the attempts at a question.
+    pub const MOST_ATTEMPTS: u32 = 50;
 }
 
 /// Allowed difference between two numbers.

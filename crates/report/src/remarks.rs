@@ -97,7 +97,7 @@ fn short(outcome: &Outcome, language: Language) -> Option<String> {
         return Some(
             language
                 .say(
-                    "The errors cannot be told from a random walk in so short a record: take the standard errors for lower limits.",
+                    "The record is too short to tell its errors from a random walk: the true standard errors can be larger than those stated.",
                 )
                 .to_owned(),
         );

@@ -1,8 +1,8 @@
 //! Hand-ins carried by reports: a link whose target is the deflated hand-in. The page has no script; the link saves the data.
 
-use crate::fact::{Fact, FactValue, Part};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use handed::fact::{Fact, FactValue, Part};
 use std::collections::BTreeMap;
 use units::{Language, name_of};
 

@@ -4,11 +4,13 @@
 //!
 //! Numbers are SI, columns count from 0.
 
-use crate::Number;
+use handed::Number;
 use serde::{Deserialize, Serialize};
 
+pub use handed::answer::{Answer, Attempt};
+
 /// Content of an item.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Content {
     /// A record.
@@ -212,45 +214,6 @@ pub struct Rival {
     pub growth: Number,
     /// Varied numbers at this minimum, in the order of the search.
     pub values: Vec<Number>,
-}
-
-/// Answer to a question.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Answer {
-    /// Text in the field.
-    pub typed: String,
-    /// `Grade::code`; `None` if the answer has not been graded.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub grade: Option<String>,
-    /// Number of attempts before the right answer was shown; `None` if it was not shown, or in items of versions up to 0.2.0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shown: Option<usize>,
-    /// True if the right answer has been shown. Read in items of versions up to 0.2.0, and written for them.
-    #[serde(skip_serializing_if = "is_false")]
-    pub revealed: bool,
-    /// True if a right answer had been given when the right answer was shown. Read in items of versions up to 0.2.0.
-    #[serde(skip_serializing_if = "is_false")]
-    pub found: bool,
-    /// Answers that have been checked, in order.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub attempts: Vec<Attempt>,
-}
-
-/// An answer that has been checked.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Attempt {
-    /// Text in the field.
-    pub typed: String,
-    /// `Grade::code` of the grade that was stated.
-    pub grade: String,
-    /// Tag of the language in which it was typed; `None` in items of versions up to 0.2.0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub language: Option<String>,
-    /// Values (SI) of the parameters that the reader sets and on which the right answer depends, by name.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub values: Vec<(String, Number)>,
 }
 
 /// Point in pixels of the upright picture: x, y.

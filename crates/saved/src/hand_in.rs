@@ -12,20 +12,20 @@
 //! The facts can be computed again from the work, bit for bit by a program with the same number `bits`
 //! ([`program::BITS`]). Unknown fields are ignored.
 //!
-//! Version 1, of programs up to 0.2.0, has English sentences as quantities ([`Fact::of_version_1`]), and attempts without their
+//! Version 1, of programs up to 0.2.0, has English sentences as quantities ([`fact_of_version_1`]), and attempts without their
 //! conditions.
 
 use crate::carried::{self, Carried};
 use crate::project::{Project, ProjectError};
-use serde::{Deserialize, Serialize};
+use handed::json;
+use handed::parts::{Head, Parts};
+use serde::Deserialize;
 use serde_json::value::RawValue;
 use units::{Language, Words, words};
 
-pub use crate::fact::{FOLLOWS, FOLLOWS_NOT, Fact, FactValue, Part};
-pub use crate::quantity::quantity_text;
-
-/// Version of the format.
-pub const HAND_IN_VERSION: u32 = 2;
+pub use crate::quantity::{fact_of_version_1, quantity_text};
+pub use handed::fact::{FOLLOWS, FOLLOWS_NOT, Fact, FactValue, Part};
+pub use handed::parts::{HAND_IN_VERSION, Sender, facts as facts_text};
 
 /// Maximum size of a hand-in, in bytes.
 pub const LONGEST_HAND_IN: usize = 64 << 20;
@@ -38,20 +38,6 @@ pub const LONGEST_NAME: usize = 100;
 
 /// Extension of files with a hand-in.
 pub const HAND_IN_ENDING: &str = ".hand-in";
-
-/// The student or the group that hands in.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Sender {
-    /// Pseudonym or name of the group.
-    pub name: String,
-    /// Seat, from 1; `None` if no values were assigned.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seat: Option<u32>,
-    /// Identifier of the assignment; empty if there is none.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub assignment: String,
-}
 
 /// Content of a hand-in.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -103,13 +89,11 @@ impl HandInError {
     }
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 struct Written {
-    #[serde(rename = "meniscus hand-in")]
-    version: u32,
     #[serde(default)]
     program: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     bits: Option<u32>,
     #[serde(default)]
     made: u64,
@@ -142,18 +126,21 @@ impl HandIn {
 
     /// Content of the file.
     pub fn write(&self) -> String {
-        // A project, texts and numbers can always be serialised.
-        let Ok(work) = RawValue::from_string(self.work.write()) else { return String::new() };
-        let written = Written {
-            version: self.version,
-            program: self.program.clone(),
-            bits: self.bits,
-            made: self.made,
-            sender: self.sender.clone(),
-            work,
-            facts: self.facts.clone(),
-        };
-        serde_json::to_string(&written).unwrap_or_default()
+        self.parts().text()
+    }
+
+    /// The parts, of which the file is made.
+    pub fn parts(&self) -> Parts<'static> {
+        let Self { version, program, bits, made, sender, work, facts: stated, .. } = self;
+        let head =
+            Head { version: *version, program: program.clone(), bits: *bits, made: *made, sender: sender.clone() };
+        Parts {
+            head,
+            documents: work.documents_text().into(),
+            state: json::text(&work.state).into(),
+            items: work.named_items().into_iter().map(|(name, item)| (name, item.into())).collect(),
+            facts: facts_text(stated).into(),
+        }
     }
 
     /// Reads a file that holds a hand-in: its text, also deflated, or a report that carries it.
@@ -194,7 +181,7 @@ impl HandIn {
         if version > HAND_IN_VERSION {
             return Err(HandInError::LaterVersion);
         }
-        let Written { program, bits, made, mut sender, work, facts, .. } =
+        let Written { program, bits, made, mut sender, work, facts } =
             serde_json::from_str(text).map_err(|_| HandInError::Damaged)?;
         if facts.len() > MOST_FACTS {
             return Err(HandInError::TooLarge);

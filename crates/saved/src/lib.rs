@@ -14,18 +14,16 @@
 //! The types of [`mod@format`] are not those of the laboratory, so that a change there does not change what is stored.
 
 pub mod carried;
-mod fact;
 pub mod format;
 pub mod hand_in;
 pub mod item;
-mod number;
 pub mod project;
 mod quantity;
 pub mod shelf;
 pub mod storage;
 pub mod survey;
 
+pub use handed::Number;
 pub use item::Item;
-pub use number::Number;
 pub use shelf::{Left, Shelf};
 pub use storage::{Storage, own_document_key};

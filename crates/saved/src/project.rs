@@ -10,12 +10,11 @@
 //! Unknown fields are ignored. The items are those of the laboratory's storage and are not interpreted here.
 
 use document::page::Source;
-use serde::{Deserialize, Serialize};
+use handed::parts::{self, PROJECT_VERSION};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::value::RawValue;
 use units::{Words, words};
-
-/// Version of the format.
-const VERSION: u32 = 1;
 
 /// Maximum size of a project, in bytes: 50 MiB of records and their descriptions.
 pub const LONGEST_PROJECT: usize = 64 << 20;
@@ -60,10 +59,8 @@ impl ProjectError {
     }
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 struct Written {
-    #[serde(rename = "meniscus project")]
-    version: u32,
     #[serde(default)]
     documents: Vec<Source>,
     #[serde(default)]
@@ -72,7 +69,7 @@ struct Written {
     items: Vec<WrittenItem>,
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 struct WrittenItem {
     name: String,
     item: Box<RawValue>,
@@ -87,13 +84,20 @@ struct Version {
 impl Project {
     /// Content of the file. Items that are not JSON are left out.
     pub fn write(&self) -> String {
-        let item = |(name, text): &(String, String)| {
-            Some(WrittenItem { name: name.clone(), item: RawValue::from_string(text.clone()).ok()? })
-        };
-        let items = self.items.iter().filter_map(item).collect();
-        let written = Written { version: VERSION, documents: self.documents.clone(), state: self.state.clone(), items };
-        // Texts and a number can always be serialized.
-        serde_json::to_string(&written).unwrap_or_default()
+        let items = self.named_items().into_iter().map(|(_, item)| item);
+        parts::project(&self.documents_text(), &handed::json::text(&self.state), items)
+    }
+
+    /// The documents in JSON.
+    pub(crate) fn documents_text(&self) -> String {
+        parts::documents(self.documents.iter().map(|Source { name, text }| (name.as_str(), text.as_str())))
+    }
+
+    /// Names of the items, and the items with their names in JSON. Items that are not JSON are left out.
+    pub(crate) fn named_items(&self) -> Vec<(String, String)> {
+        let is_json = |(_, text): &&(String, String)| serde_json::from_str::<IgnoredAny>(text).is_ok();
+        let item = |(name, text): &(String, String)| (name.clone(), parts::named_item(name, text));
+        self.items.iter().filter(is_json).map(item).collect()
     }
 
     /// Reads the content of a file.
@@ -105,11 +109,10 @@ impl Project {
             return Err(ProjectError::TooLarge);
         }
         let Version { version } = serde_json::from_str(text).map_err(|_| ProjectError::Unreadable)?;
-        if version > VERSION {
+        if version > PROJECT_VERSION {
             return Err(ProjectError::LaterVersion);
         }
-        let Written { documents, state, items, .. } =
-            serde_json::from_str(text).map_err(|_| ProjectError::Unreadable)?;
+        let Written { documents, state, items } = serde_json::from_str(text).map_err(|_| ProjectError::Unreadable)?;
         if documents.len() > MOST_DOCUMENTS || items.len() > MOST_ITEMS {
             return Err(ProjectError::TooLarge);
         }

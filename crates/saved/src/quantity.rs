@@ -2,7 +2,7 @@
 //!
 //! An identifier is a kind, and after a colon the name of what it is about, which may begin with a kind itself.
 
-use super::fact::{Fact, Part};
+use handed::fact::{Fact, Part};
 use units::{Language, Words, words};
 
 /// Text for people: `standard error of gamma`.
@@ -27,6 +27,8 @@ fn kind_words(kind: &str) -> Option<Words> {
         "text" => words("text"),
         "shown" => words("attempts before the right answer was shown"),
         "attempt" => words("attempt"),
+        "allowed" => words("attempts allowed"),
+        "made" => words("attempts made"),
         "conditions" => words("values at attempt"),
         "given" => words("grade given to attempt"),
         "grade" => words("grade of attempt"),
@@ -124,16 +126,13 @@ const BEGINNINGS: [(Part, &str, &str); 20] = [
 /// End of the sentence of a second standard error.
 const INDEPENDENT: &str = ", independent residuals";
 
-impl Fact {
-    /// A fact of version 1 of the hand-in, whose quantities were English sentences, with its identifier.
-    #[must_use]
-    pub fn of_version_1(&self) -> Self {
-        let item = match self.part {
-            Part::Answer => self.item.strip_prefix("question ").unwrap_or(&self.item).to_owned(),
-            _ => self.item.clone(),
-        };
-        Self { item, quantity: identifier(self.part, &self.quantity), ..self.clone() }
-    }
+/// A fact of version 1 of the hand-in, whose quantities were English sentences, with its identifier.
+pub fn fact_of_version_1(fact: &Fact) -> Fact {
+    let item = match fact.part {
+        Part::Answer => fact.item.strip_prefix("question ").unwrap_or(&fact.item).to_owned(),
+        _ => fact.item.clone(),
+    };
+    Fact { item, quantity: identifier(fact.part, &fact.quantity), ..fact.clone() }
 }
 
 /// Identifier of a sentence of version 1.

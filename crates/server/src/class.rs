@@ -474,6 +474,31 @@ impl Classes {
         Ok(())
     }
 
+    /// Revokes the tokens of all devices of the teacher of a class but one, and the links that nobody has used.
+    ///
+    /// # Errors
+    /// The store cannot be written; the tokens stay.
+    pub async fn revoke_teachers(&self, class: &Class, own: Hash) -> Result<(), Fault> {
+        self.store.revoke_teachers(class.id().to_owned(), own).await?;
+        self.keep_teachers(class, &[own]);
+        Ok(())
+    }
+
+    /// Forgets the tokens of the teacher of a class but these.
+    fn keep_teachers(&self, class: &Class, kept: &[Hash]) {
+        locked(&self.tokens).retain(|hash, holder| match holder {
+            Holder::Teacher(of) => **of != *class || kept.contains(hash),
+            Holder::Student(..) | Holder::Survey(_) => true,
+        });
+        // Streams of these devices end.
+        class.tell_of_seats();
+    }
+
+    /// True if somebody holds the token of this hash.
+    pub fn is_known(&self, token: &Hash) -> bool {
+        locked(&self.tokens).contains_key(token)
+    }
+
     /// Erases the classes whose time is over.
     ///
     /// # Errors

@@ -19,18 +19,14 @@
 //! copied byte for byte: their numbers keep their bits.
 
 use crate::store::EventRow;
-use saved::hand_in::Sender;
+use handed::parts::{self, Head, ITEM, NAMES, Sender};
 use serde::{Deserialize, Serialize};
-use serde_json::value::{RawValue, to_raw_value};
+use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 
 /// Kind of events with a part of a hand-in.
 pub const PART: &str = "part";
 
-/// Beginning of the name of a part with an item.
-const ITEM: &str = "item:";
-/// Names of the other parts.
-const PARTS: [&str; 5] = ["head", "documents", "state", "order", "facts"];
 /// Maximum length of the name of a part, in bytes.
 const LONGEST_NAME: usize = 1000;
 
@@ -49,7 +45,7 @@ impl Part {
     /// True if there is a part of this name.
     pub fn is_known(&self) -> bool {
         let name = &self.part;
-        PARTS.contains(&name.as_str()) || (name.starts_with(ITEM) && name.len() <= LONGEST_NAME)
+        NAMES.contains(&name.as_str()) || (name.starts_with(ITEM) && name.len() <= LONGEST_NAME)
     }
 }
 
@@ -61,9 +57,10 @@ struct Parts(BTreeMap<String, (u64, u64, Box<RawValue>)>);
 #[derive(Clone, Debug, Default)]
 pub struct Folded(BTreeMap<String, Parts>);
 
+/// Value of the part `head`.
 #[derive(Deserialize, Default)]
 #[serde(default)]
-struct Head {
+struct Stated {
     /// Version of the format of hand-ins; without it the first.
     format: Option<u32>,
     program: String,
@@ -75,28 +72,6 @@ struct Head {
 #[derive(Deserialize)]
 struct Named {
     item: Box<RawValue>,
-}
-
-#[derive(Serialize)]
-struct Work<'a> {
-    #[serde(rename = "meniscus project")]
-    version: u32,
-    documents: &'a RawValue,
-    state: &'a RawValue,
-    items: Vec<&'a RawValue>,
-}
-
-#[derive(Serialize)]
-struct HandIn<'a> {
-    #[serde(rename = "meniscus hand-in")]
-    version: u32,
-    program: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bits: Option<u32>,
-    made: u64,
-    sender: Sender,
-    work: Work<'a>,
-    facts: &'a RawValue,
 }
 
 impl Folded {
@@ -129,26 +104,28 @@ impl Folded {
     /// documents, its state or its items are missing.
     pub fn hand_in(&self, document: &str, pseudonym: &str) -> Option<String> {
         let parts = self.0.get(document)?;
-        let head: Head = serde_json::from_str(parts.value("head")?.get()).ok()?;
-        let order: Vec<String> = serde_json::from_str(parts.value("order")?.get()).ok()?;
+        let stated: Stated = serde_json::from_str(parts.value("head")?).ok()?;
+        let order: Vec<String> = serde_json::from_str(parts.value("order")?).ok()?;
         let made = parts.0.values().map(|(_, at, _)| *at).max().unwrap_or(0);
-        let items: Option<Vec<&RawValue>> = order.iter().map(|name| parts.value(&format!("{ITEM}{name}"))).collect();
-        let none = to_raw_value(&[(); 0]).ok()?;
-        let hand_in = HandIn {
-            version: head.format.unwrap_or(1),
-            program: head.program,
-            bits: head.bits,
-            made,
-            sender: Sender { name: pseudonym.to_owned(), ..head.sender },
-            work: Work {
-                version: 1,
-                documents: parts.value("documents")?,
-                state: parts.value("state")?,
-                items: items?,
-            },
-            facts: parts.value("facts").unwrap_or(&none),
+        let item = |name: String| {
+            let item = parts.value(&format!("{ITEM}{name}"))?;
+            Some((name, item.into()))
         };
-        serde_json::to_string(&hand_in).ok()
+        let head = Head {
+            version: stated.format.unwrap_or(1),
+            program: stated.program,
+            bits: stated.bits,
+            made,
+            sender: Sender { name: pseudonym.to_owned(), ..stated.sender },
+        };
+        let hand_in = parts::Parts {
+            head,
+            documents: parts.value("documents")?.into(),
+            state: parts.value("state")?.into(),
+            items: order.into_iter().map(item).collect::<Option<_>>()?,
+            facts: parts.value("facts").unwrap_or("[]").into(),
+        };
+        Some(hand_in.text())
     }
 
     /// The items of a document: their names, and texts as `saved::Item` reads them.
@@ -160,12 +137,44 @@ impl Folded {
 }
 
 impl Parts {
-    fn value(&self, name: &str) -> Option<&RawValue> {
-        self.0.get(name).map(|(.., value)| &**value)
+    fn value(&self, name: &str) -> Option<&str> {
+        self.0.get(name).map(|(.., value)| value.get())
     }
 }
 
 /// Sender of a hand-in: the pseudonym, and of several documents also its document, since of each sender one hand-in counts.
 pub fn sender(pseudonym: &str, document: &str, documents: usize) -> String {
     if documents > 1 { format!("{pseudonym} ({document})") } else { pseudonym.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use saved::hand_in::{Fact, FactValue, HandIn, Part as Of};
+    use saved::project::Project;
+
+    /// A hand-in that is sent in parts, in any order and with parts that are replaced later, comes out as its own writer would write it.
+    #[test]
+    fn the_parts_of_a_hand_in_make_the_same_file() {
+        let value = FactValue::Number(saved::Number(0.1 + 0.2));
+        let fact = Fact { part: Of::Run, item: "a".to_owned(), quantity: "value:x".to_owned(), value };
+        let item = |name: &str| (name.to_owned(), "{\"meniscus\":3,\"x\":[1.10,-0.0]}".to_owned());
+        let work =
+            Project { state: "1&p=b:2".to_owned(), items: vec![item("q \"1\""), item("r")], ..Project::default() };
+        let sender = Sender { name: "blue heron".to_owned(), seat: Some(7), assignment: "tube".to_owned() };
+        let made = HandIn::new(5, sender, work, vec![fact]);
+        let event = |seq: u64, (part, value): (String, String)| EventRow {
+            number: seq,
+            seat: 7,
+            seq,
+            at: 5,
+            kind: PART.to_owned(),
+            body: format!("{{\"document\":\"a.md\",\"part\":{},\"value\":{value}}}", serde_json::json!(part)),
+        };
+        let mut events: Vec<EventRow> = (2..).zip(made.parts().named()).map(|(seq, part)| event(seq, part)).collect();
+        assert!(events.iter().all(|one| serde_json::from_str::<Part>(&one.body).is_ok_and(|part| part.is_known())));
+        events.push(event(1, ("state".to_owned(), "\"outdated\"".to_owned())));
+        events.reverse();
+        assert_eq!(Folded::of(&events).hand_in("a.md", "blue heron"), Some(made.write()));
+    }
 }

@@ -18,7 +18,6 @@ use units::markup::escaped;
 /// Script of the students' pages, and its style.
 const STUDENT: &str = concat!(
     include_str!("pages/bar.js"),
-    include_str!("pages/parts.js"),
     include_str!("pages/stream.js"),
     include_str!("pages/outbox.js"),
     include_str!("pages/student.js")

@@ -70,6 +70,8 @@ fn teacher(language: Language) -> Value {
         "joining_open": language.say("New seats"),
         "new_code": language.say("New code"),
         "new_code_sure": language.say("Give the class a new code? The present one opens nothing any more; seats stay."),
+        "revoke": language.say("Revoke other teachers' devices"),
+        "revoke_sure": language.say("Revoke all other devices of teachers and the links that nobody has used? This device goes on; the next start of the server prints a new link."),
         "erase_unused": language.say("Erase seats without work"),
         "erase_unused_sure": language.say("Erase all seats that have handed in nothing?"),
         "approve_late": language.say("Approve late joiners"),

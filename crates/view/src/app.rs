@@ -56,6 +56,11 @@ pub trait Host {
         Default::default()
     }
 
+    /// What stands under the plots, always in sight: the strip of the measurer.
+    fn strip(&self) -> View {
+        View::new()
+    }
+
     /// Called when a time in a plot against time is pointed at. `_time` computes this time of the run (SI) on demand.
     fn look_at(&self, _time: &mut dyn FnMut() -> Option<f64>) {}
 

@@ -210,7 +210,6 @@ pub fn save_bytes(name: &str, kind: &str, bytes: &[u8]) {
     options.set_type(kind);
     let parts = Array::of1(&Uint8Array::from(bytes));
     if let Ok(blob) = Blob::new_with_u8_array_sequence_and_options(&parts, &options)
-        && !is_taken(name, &blob)
         && let Ok(url) = Url::create_object_url_with_blob(&blob)
     {
         save_url(name, &url);
@@ -220,15 +219,6 @@ pub fn save_bytes(name: &str, kind: &str, bytes: &[u8]) {
         });
         let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(release.unchecked_ref(), 10_000);
     }
-}
-
-/// Shows a file to the script of a class server, if the page has one (`crates/server/src/pages/student.js`). True if it has
-/// taken the file, which is not to be saved then.
-fn is_taken(name: &str, blob: &Blob) -> bool {
-    let take = Reflect::get(&js_sys::global(), &"classTakes".into()).unwrap_or(JsValue::UNDEFINED);
-    let take = take.dyn_ref::<Function>();
-    let taken = take.and_then(|take| take.call2(&JsValue::UNDEFINED, &name.into(), blob).ok());
-    taken.is_some_and(|taken| taken.is_truthy())
 }
 
 /// Saves the content of an address of this page as a file.

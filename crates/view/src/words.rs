@@ -46,10 +46,8 @@ table_of_words! {
     library: "Simulations";
     first_steps: "First steps";
     guide: "60-second start";
-    guide_decline: "No guided start";
     film_own: "Film your own";
     film_own_steps: ": film, marks, curve, fit";
-    published: "Published simulation";
     open: "Open";
     publish: "Share";
     document: "Document";
@@ -170,7 +168,6 @@ table_of_words! {
     readouts: "Values";
     constants: "Derived quantities";
     changing: "Changing with time";
-    hidden_why: "Hidden until the question about it is answered";
     show_hidden: "Show the values that questions ask for";
 
     // Plots.
@@ -210,7 +207,7 @@ table_of_words! {
     tab_theory: "Theory";
     tab_write: "Write";
     tab_class: "Class";
-    everything: "Everything";
+    everything: "For teachers";
     tab_waits: "The laboratory is loading ...";
     contents: "Contents";
     equations: "Model";
@@ -254,6 +251,10 @@ table_of_words! {
     hint: "Hint";
     reveal: "Show the answer";
     right_answer: "Answer";
+    attempts_allowed: "Attempts allowed: {allowed}.";
+    attempts_left: "Attempts left: {left} of {allowed}.";
+    attempts_used: "All {allowed} attempts are used. The answer can be shown.";
+    attempts_beyond: "Only the first {allowed} of your {made} attempts count.";
     supposes: "This question is about";
     set_up: "Set these values";
     is_set_up: "set";

@@ -136,7 +136,7 @@ test("students with the laboratory: a fit reaches the dashboard by itself", asyn
     await student.getByRole("tab", { name: "Measure", exact: true }).click();
     await student.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
     await student.locator("#fit").click();
-    await eventually(async () => assert.match(await student.locator("#fit-step").innerText(), /9\.4\d* ± 0\.0\d*\s+cm/), 60);
+    await eventually(async () => assert.match(await student.locator("#fit-lines").innerText(), /9\.4\d* ± 0\.0\d*\s+cm/), 60);
     await shows(teacher, /1 group\b[^]*± 0\.0/, 90);
     await status(student, /^Everything is handed in/);
     assert.deepEqual(faults, []);

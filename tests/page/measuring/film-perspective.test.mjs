@@ -35,7 +35,7 @@ visit("a rectangle that is seen at an angle gives lengths within the stated erro
   await dropFilm(lab.page, beside("films/plane.mp4"));
   await lab.page.locator("#film-kind-body").click();
   await click(lab, frames[0].seen);
-  await lab.page.locator("#film-fit").waitFor({ timeout: 60_000 });
+  await lab.page.locator("#film-record").waitFor({ timeout: 60_000 });
   await lab.page.locator("#film-act-lengths details").evaluate((fold) => (fold.open = true));
   await lab.page.locator("#film-corners").click();
   // In any order: the page names them.

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { STILL, eventually, number, sight, visit } from "../lab.mjs";
 import { clickFilmed, dropFilm, goTo, swing, truth } from "../films.mjs";
-import { fit, openTheory, records } from "../measured.mjs";
+import { fit, fitted, openTheory, records } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -16,7 +16,7 @@ const SURFACE = [LEFT, truth.frames[0][1]];
 const MARKS = [[165, truth.rest - 75], [165, truth.rest + 75]];
 
 const click = (lab, at) => clickFilmed(lab, at, truth.size);
-const tracked = (lab) => lab.page.locator("#film-fit").waitFor({ timeout: 30_000 });
+const tracked = (lab) => lab.page.locator("#film-record").waitFor({ timeout: 30_000 });
 
 /** Clicks two marks of the ruler and types what lies between them. */
 async function calibrate(lab) {
@@ -102,11 +102,9 @@ visit("by keyboard alone", async (lab) => {
   await eventually(async () => assert.equal((await lab.focused()).id, "film-length"));
   await lab.page.keyboard.type("20 cm");
   await lab.keys("Enter");
-  await lab.tabTo("#film-fit");
+  await lab.tabTo("#fit");
   await lab.keys("Enter");
-  await eventually(async () => assert.equal((await lab.focused()).id, "fit"));
-  await lab.keys("Enter");
-  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await fitted(lab);
   await agrees(lab);
 });
 

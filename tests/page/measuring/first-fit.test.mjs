@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { eventually, hold, visit } from "../lab.mjs";
-import { openTheory } from "../measured.mjs";
+import { openTheory, unfold } from "../measured.mjs";
 
 /** Opens the tab *Measure* and takes a sample record. */
 async function takeSample(lab) {
@@ -16,7 +16,7 @@ for (const [language, tab, sample] of [["en-GB", "Measure", "Column of 18 cm"], 
     await lab.page.locator("#panel").getByRole("button", { name: sample, exact: true }).click();
     await lab.page.locator("#fit").click();
     // The left column of the sample stood at 9.5 cm.
-    await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /9[.,]4\d* ± 0[.,]0\d*\s+cm/), 60);
+    await eventually(async () => assert.match(await lab.page.locator("#fit-lines").innerText(), /9[.,]4\d* ± 0[.,]0\d*\s+cm/), 60);
     assert.equal(await lab.page.locator("#unsuitable").count(), 0);
     assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 1);
   });
@@ -27,12 +27,13 @@ visit("a document that cannot hold the record is no theory until it is chosen", 
   await eventually(async () => assert.match(await lab.page.locator("#unsuitable").innerText(), /periods from 2\.8.* s to .* s, and the record has one of 0\.6/), 30);
   assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 0);
   await lab.page.locator("#fit").click();
-  await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /cannot hold this record/));
+  await eventually(async () => assert.match(await lab.page.locator("#fit-lines").innerText(), /cannot hold this record/));
   // Chosen in spite of it, it is fitted, and the result says that it misses the data.
+  await unfold(lab, "theory");
   await lab.page.locator(".theory-chip").first().click();
   assert.equal(await lab.page.locator(".theory-chip[aria-pressed=true]").count(), 1);
   await lab.page.locator("#fit").click();
-  await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /does not describe these data/), 60);
+  await eventually(async () => assert.match(await lab.page.locator("#fit-lines").innerText(), /does not describe these data/), 60);
 });
 
 visit("Fit pressed as soon as the record is there waits until it is known whether the document can hold it", async (lab) => {
@@ -46,7 +47,7 @@ visit("Fit pressed as soon as the record is there waits until it is known whethe
     }).observe(document.body, { childList: true, subtree: true });
   });
   await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
-  await eventually(async () => assert.match(await lab.page.locator("#fit-step").innerText(), /cannot hold this record/), 30);
+  await eventually(async () => assert.match(await lab.page.locator("#fit-lines").innerText(), /cannot hold this record/), 30);
   assert.equal(await lab.page.locator(".fits tbody tr").count(), 0);
 });
 
@@ -72,7 +73,7 @@ visit("a ranking whose record is removed before it begins does not take place", 
   await lab.page.locator(".record").getByRole("button", { name: /^Remove/ }).first().click();
   await eventually(async () => assert.equal(await lab.page.locator(".record").count(), 0));
   await held.release();
-  assert.equal(await lab.page.locator("#fit-step, #cancel-fit, .fits").count(), 0);
+  assert.equal(await lab.page.locator("#strip, #fit-step, #cancel-fit, .fits").count(), 0);
 });
 
 visit("a ranking takes place even if another document is opened before it begins", { fragment: "" }, async (lab) => {

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { Lab, STILL, drop, eventually, sight, temporary, visit } from "../lab.mjs";
-import { DAMPING, LENGTH, film, fit, openTheory, records, unzip } from "../measured.mjs";
+import { DAMPING, LENGTH, film, fit, fitted, openTheory, records, unzip, unfold } from "../measured.mjs";
 import { withoutWorkers } from "../workers.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -106,6 +106,7 @@ visit("the sample with a contact line is told from the others", async (lab) => {
   await lab.page.locator("#cancel-fit").waitFor();
   await eventually(async () => assert.ok((await lab.page.locator(".fits tbody tr").count()) >= 2), 120);
   await lab.press("Cancel");
+  await unfold(lab, "fit");
   await eventually(async () => assert.match(await lab.told(), /cancelled/));
   const before = await lab.page.locator(".fits tbody tr").count();
   // One of them is opened with what was found.
@@ -120,6 +121,7 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   await drop(lab, { name: "film.csv", text: film() });
   await records(lab).waitFor();
   await lab.tab("Measure");
+  await unfold(lab, "theory");
   const chips = lab.page.getByRole("group", { name: "Theories" }).getByRole("button");
   assert.match(await chips.first().innerText(), /U-tube/, "the open document is the theory");
   const linear = lab.page.locator(".theory-chip").filter({ has: lab.page.getByText("Linear damping", { exact: true }) });
@@ -133,6 +135,7 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   assert.ok(Math.abs((await place()) - before) < 2);
   assert.equal(await linear.getAttribute("aria-pressed"), "true");
   // The part that counts is the one that a zoomed plot shows.
+  await unfold(lab, "record");
   assert.equal(await lab.page.locator("#fit-part-in-plot").isVisible(), false);
   await lab.page.locator("#canvas-0").focus();
   await lab.keys("+", "+");
@@ -140,11 +143,7 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   const ends = await Promise.all([0, 1].map(async (end) => Number(await lab.page.locator(`#fit-end-${end}`).inputValue())));
   assert.ok(ends[0] > 0.5 && ends[1] > ends[0] + 1 && ends[1] < 9, String(ends));
   await lab.page.locator("#fit").click();
-  await lab.page.locator(".estimates").waitFor();
-  await eventually(async () => {
-    const [result, plot] = [await lab.page.locator(".estimates").boundingBox(), await lab.page.locator("#canvas-0").boundingBox()];
-    assert.ok(result.y > 0 && result.y < 500 && plot.y > 0 && plot.y < 500, `${result.y}, ${plot.y}`);
-  });
+  await fitted(lab);
   // The list of fits is not cut off.
   const cut = await lab.page.locator(".fits, .record .table").evaluateAll((boxes) => boxes.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.className));
   assert.deepEqual(cut, []);
@@ -214,7 +213,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await eventually(async () => assert.equal(await lab.page.locator(`#${ticked}`).isChecked(), true));
   await lab.tabTo("#fit");
   await lab.keys("Enter");
-  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await fitted(lab);
   await lab.tabTo("[id^=fit-][aria-pressed]");
 });
 
@@ -278,11 +277,12 @@ visit("the part that is fitted is brushed in the plot", async (lab) => {
   // Elsewhere a drag moves the plot, as ever; the brush goes with it and keeps its time.
   await drag(middle + 60, middle + 20);
   assert.equal(Number(await end(0)), half);
+  await unfold(lab, "record");
   assert.equal(await lab.page.getByRole("button", { name: "Take the part in the plot" }).isVisible(), true, "it is zoomed");
   await lab.page.locator("#canvas-0").dblclick({ position: { x: plot.width * 0.8, y: 20 } });
   // What is fitted is the rest of the record.
   await lab.page.locator("#fit").click();
-  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await fitted(lab);
   const before = Number((await lab.page.locator(".detail").innerText()).match(/(\d+) values before/)[1]);
   assert.equal(before, Math.ceil(half * 30), "30 values a second");
   // Back at the edge it is open again, and in no other tab does it lie over the plots.

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { drop, eventually, visit } from "../lab.mjs";
-import { film, fit, openTheory, records } from "../measured.mjs";
+import { film, fit, openTheory, records, unfold } from "../measured.mjs";
 
 /** Number of rows left out that the page shows; 0 without a text. */
 async function leftOut(lab) {
@@ -22,6 +22,7 @@ visit("a click on a point, or Enter, leaves its row out of fits and takes it bac
   await lab.page.mouse.click(across, box.y + box.height / 2);
   assert.equal(await leftOut(lab), 0);
   const leave = lab.page.locator("#leave-out");
+  await unfold(lab, "record");
   await leave.click();
   assert.equal(await leave.getAttribute("aria-pressed"), "true");
   assert.ok(await lab.page.locator("#leave-out-note").isVisible());

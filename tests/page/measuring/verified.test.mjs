@@ -91,7 +91,7 @@ visit("a dropped hand-in is verified, and its work can be opened", async (lab) =
   await lab.page.locator("#open-verified").click();
   await eventually(async () => assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping"));
   await lab.page.locator("#tab-measure").click();
-  await lab.page.locator(".estimates").waitFor({ timeout: 60_000 });
+  await lab.page.locator(".estimates").waitFor({ state: "attached", timeout: 60_000 });
 
   await drop(lab, { name: "cut.hand-in", text: text.slice(0, 500) });
   await eventually(async () => assert.match(await lab.page.locator("#messages").innerText(), /cut\.hand-in is damaged; ask for it again/));

@@ -53,7 +53,7 @@ walk("the first fit of a record that is dropped", 3, async (walker, lab) => {
 walk("the way from a film to its fit", 9, async (walker) => {
   await walker.does(dropFilm(walker.page, swing));
   await walker.clickFilm([truth.arms[0], truth.frames[0][1]]);
-  await walker.page.locator("#film-fit").waitFor({ timeout: 30_000 });
+  await walker.page.locator("#film-record").waitFor({ timeout: 30_000 });
   for (const way of [-75, 75]) await walker.clickFilm([165, truth.rest + way]);
   await walker.does(walker.page.locator("#film-length").fill("20 cm"));
   await walker.does(walker.page.keyboard.press("Enter"));

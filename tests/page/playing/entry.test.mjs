@@ -30,14 +30,14 @@ for (const [language, typed, title] of [
   });
 }
 
-for (const [language, published] of [["en-GB", "Published simulation"], ["es-ES", "Simulación publicada"]]) {
+for (const [language, published] of [["en-GB", "The U-tube as published"], ["es-ES", "El tubo en U publicado"]]) {
   visit(`a button opens the published simulation: ${language}`, { ...FIRST, language }, async (lab) => {
     const title = await heading(lab);
-    await lab.press(published);
+    await lab.pressInMenu(published);
     await eventually(async () => assert.notEqual(await heading(lab), title));
     assert.match(lab.page.url(), /#1&d=utube\.md$/);
     assert.equal(await line(lab).count(), 0);
-    await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
+    await eventually(async () => assert.equal((await lab.focused()).id, "menu"));
     await lab.page.goBack();
     await eventually(async () => assert.equal(await heading(lab), title));
     assert.equal(await line(lab).count(), 1);
@@ -56,13 +56,13 @@ for (const idle of [true, false]) {
 
 visit("the line is one stop of Tab, with arrow keys between its buttons", FIRST, async (lab) => {
   await lab.tabTo("#guide");
-  await lab.keys("ArrowRight", "ArrowRight", "ArrowRight");
-  assert.equal((await lab.focused()).id, "published");
+  await lab.keys("ArrowRight");
+  assert.equal((await lab.focused()).id, "film-own");
   await lab.keys("ArrowRight", "ArrowLeft");
   await lab.keys("Tab");
   assert.equal((await lab.focused()).id, "browse");
   await lab.keys("Shift+Tab", "Enter");
-  await eventually(async () => assert.match(lab.page.url(), /#1&d=utube\.md$/));
+  await eventually(async () => assert.equal(await lab.page.locator("#tab-measure").getAttribute("aria-selected"), "true"));
 });
 
 for (const size of [{}, { width: 1024, height: 768 }, PHONE]) {
@@ -132,7 +132,7 @@ for (const [language, words] of Object.entries(WORDS)) {
     await lab.page.reload();
     await line(lab).waitFor();
     assert.equal(await guide(lab, words).count(), 0);
-    assert.equal(await lab.page.locator("#guide-decline").count(), 0, "it is no longer offered prominently");
+    assert.equal(await lab.page.locator("#guide.action").count(), 0, "it is no longer offered prominently");
   });
 
   visit(`the guided start is done by keyboard: ${language}`, { ...FIRST, language }, async (lab) => {
@@ -174,16 +174,6 @@ visit("the guided start is skipped, begun again, and ends with its document", FI
   await lab.page.goBack();
   await line(lab).waitFor();
   assert.equal(await guide(lab, words).count(), 0);
-});
-
-visit("the prominent offer of the first visit is declined", FIRST, async (lab) => {
-  await lab.page.locator("#guide-decline").click();
-  assert.equal(await lab.page.locator("#guide-decline").count(), 0);
-  // The laboratory may be taking the page over at this moment.
-  await eventually(async () => assert.equal((await lab.focused()).id, "guide"));
-  await lab.page.reload();
-  await line(lab).waitFor();
-  assert.equal(await lab.page.locator("#guide-decline").count(), 0);
 });
 
 visit("the guided start begins in the player, which brings the laboratory", { ...FIRST, idle: false }, async (lab) => {

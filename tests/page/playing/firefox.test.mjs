@@ -190,6 +190,7 @@ visit("a record is read and fitted, and is there again after a reload", "#1&d=th
   await visitor.openTab("Measure");
   await visitor.press("Fit");
   const estimate = async (name) => {
+    await visitor.page.$eval("#fit-step", (step) => (step.open = true));
     const rows = await tables();
     const row = rows.find(([label, value]) => label.startsWith(name) && value?.includes("±"));
     return row?.[1].split("±").map(number) ?? assert.fail(`no estimate of «${name}» in ${JSON.stringify(rows)}`);
@@ -219,7 +220,7 @@ visit("a plot over a parameter is computed while its parameters change", "", asy
 });
 
 visit("a document is begun and written", "", async (visitor) => {
-  await visitor.press("Everything");
+  await visitor.press("For teachers");
   await visitor.openTab("Write");
   const status = () => visitor.page.$eval("#writing-status", (status) => status.textContent);
   const runs = () => eventually(async () => assert.match(await status(), /^No errors/));

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { STILL, drop, eventually, visit } from "../lab.mjs";
-import { DAMPING, film, fit, openTheory, records } from "../measured.mjs";
+import { DAMPING, film, fit, openTheory, records, unfold } from "../measured.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -15,6 +15,8 @@ async function dropThree(lab) {
   await drop(lab, ...TUBES.map(([name, length], place) => ({ name, text: film(length, place + 1) })));
   await eventually(async () => assert.equal(await records(lab).count(), TUBES.length));
   await lab.page.locator("#tab-measure").click();
+  await unfold(lab, "record");
+  await unfold(lab, "theory");
 }
 
 const tick = (lab, group, name) => lab.page.getByRole("group", { name: group }).getByRole("checkbox", { name, exact: true });
@@ -44,7 +46,7 @@ visit("three records are fitted together with a number in common, and are there 
   const drawn = () => records(lab).locator("[id^=show-record]").evaluateAll((boxes) => boxes.map((box) => box.checked));
   assert.deepEqual(await drawn(), [false, false, true]);
   await lab.tab("Measure");
-  await lab.page.getByRole("combobox", { name: "Record to be fitted" }).selectOption("short.csv");
+  await lab.page.locator("#fit-record").selectOption("short.csv");
   await eventually(async () => assert.ok(Math.abs((await lab.number("Length of the column")) - 0.18) < 1e-3));
   assert.deepEqual(await drawn(), [true, false, false]);
   await eventually(async () => assert.match(await lab.told(), /fitted values of short\.csv/));
@@ -61,6 +63,7 @@ visit("three records are fitted together with a number in common, and are there 
   await lab.page.reload();
   await lab.tab("Measure");
   await eventually(async () => assert.equal(await rows(lab).count(), 1));
+  await unfold(lab, "fit");
   assert.deepEqual((await rows(lab).locator("td").allInnerTexts()).slice(0, 5), before.slice(0, 5));
   assert.match(await rows(lab).innerText(), /short\.csv \+ middle\.csv \+ long\.csv/);
   assert.equal(await lab.page.getByRole("heading", { level: 1 }).innerText(), "Linear damping");
@@ -89,7 +92,7 @@ visit("what is known of each record is held there", async (lab) => {
   const damping = found.get("short.csv: Damping rate");
   assert.ok(Math.abs(damping.value - DAMPING) < 3 * damping.spread + 1e-3, JSON.stringify([...found]));
   await lab.enter("Length of the column, short.csv", "18 kg");
-  await eventually(async () => assert.match(await lab.page.locator(".fitting > .refusal").innerText(), /measures something else/));
+  await eventually(async () => assert.match(await lab.page.locator("#fit-refusal").innerText(), /measures something else/));
 });
 
 for (const [language, theme, size] of [["en-GB", "light", {}], ["es-ES", "dark", { width: 390, height: 844, touch: true }]]) {

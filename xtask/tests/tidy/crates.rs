@@ -4,7 +4,7 @@ use crate::texts::{product, root, texts};
 use std::fs;
 
 /// Crates of the workspace that each crate may use. These limits are part of the design (ARCHITECTURE.md).
-const ARROWS: [(&str, &[&str]); 31] = [
+const ARROWS: [(&str, &[&str]); 32] = [
     ("wording", &[]),
     ("units", &["wording"]),
     ("packed", &["units"]),
@@ -24,20 +24,21 @@ const ARROWS: [(&str, &[&str]); 31] = [
     ("document", &["model", "program", "units"]),
     ("analysis", &["engine", "packed", "program", "units"]),
     ("report", &["analysis", "document", "figure", "film", "model", "packed", "program", "units"]),
-    ("play", &["engine", "figure", "program", "units"]),
-    ("saved", &["document", "program", "units"]),
+    ("handed", &["units"]),
+    ("play", &["engine", "figure", "handed", "program", "units"]),
+    ("saved", &["document", "handed", "program", "units"]),
     (
         "desk",
         &["analysis", "document", "engine", "figure", "film", "model", "play", "program", "report", "saved", "units"],
     ),
     ("class", &["analysis", "desk", "document", "figure", "play", "program", "report", "saved", "units"]),
-    ("server", &["saved", "units"]),
+    ("server", &["handed", "saved", "units"]),
     ("requests", &["analysis", "document", "engine", "model", "program", "runner", "units"]),
     ("python", &["program", "requests", "runner"]),
     ("pyodide", &["engine", "host", "program", "requests", "runner"]),
     ("probe", &["analysis", "document", "engine", "figure", "film", "host", "program", "units"]),
-    ("view", &["figure", "play", "program", "units"]),
-    ("player", &["play", "program", "units", "view"]),
+    ("view", &["figure", "handed", "play", "program", "units"]),
+    ("player", &["handed", "play", "program", "units", "view"]),
     (
         "lab",
         &["class", "desk", "document", "ejss", "figure", "film", "host", "model", "play", "program", "units", "view"],
@@ -65,7 +66,7 @@ const ARROWS: [(&str, &[&str]); 31] = [
 ];
 
 /// Crates that do no I/O, read no clock and do not access the DOM. `OUTSIDE`: paths that they must not contain.
-const CORE: [&str; 20] = [
+const CORE: [&str; 21] = [
     "units",
     "packed",
     "ejss",
@@ -82,6 +83,7 @@ const CORE: [&str; 20] = [
     "film",
     "figure",
     "report",
+    "handed",
     "play",
     "saved",
     "desk",

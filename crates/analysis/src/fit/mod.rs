@@ -17,7 +17,7 @@ pub use driver::Fit;
 pub use judgement::Outlier;
 pub use judgement::rank::{Ranked, rank, ties, worth};
 pub use judgement::statistics::RunsTest;
-pub use judgement::verdict::{Share, Verdict};
+pub use judgement::verdict::{Nearness, Share, Verdict};
 pub use lanes::{Lanes, Solution, Sought};
 pub use observed::{ObservationFit, Outside};
 pub use outcome::{Outcome, Scan};

@@ -105,14 +105,12 @@ impl Calculator {
 
 /// Facts as in the file of a hand-in: their form needs a format that describes itself.
 mod as_text {
-    use saved::hand_in::Fact;
+    use saved::hand_in::{Fact, facts_text};
     use serde::de::Error as _;
-    use serde::ser::Error as _;
     use serde::{Deserialize, Deserializer, Serializer};
 
     pub fn serialize<S: Serializer>(facts: &[Fact], serializer: S) -> Result<S::Ok, S::Error> {
-        let text = serde_json::to_string(facts).map_err(S::Error::custom)?;
-        serializer.serialize_str(&text)
+        serializer.serialize_str(&facts_text(facts))
     }
 
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Fact>, D::Error> {

@@ -93,8 +93,8 @@ pub fn curves_caption(collection: &Collection, group: &crate::collection::CurveG
         let theory = &fit.theory;
         text += &say!(
             language,
-            " The bold curve is the fit of {theory} by {sender}, whose residuals have the median size. Below, what the \
-                 fit of each group leaves over."
+            " The bold curve is the fit of {theory} by {sender}, whose residuals have the median size. Below, the \
+                 residuals of each group's fit."
         );
     }
     if count > MOST_CURVES {

@@ -71,6 +71,44 @@ impl GradeDifference {
     }
 }
 
+/// Attempts at a question beyond the number that the document allows. They do not count; two devices of one student can make them
+/// without a network.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BeyondLimit {
+    /// Number of the question.
+    pub question: String,
+    /// Number of attempts.
+    pub made: usize,
+    /// Number of attempts that count.
+    pub allowed: usize,
+}
+
+impl BeyondLimit {
+    /// One line: question and both numbers.
+    pub fn text(&self, language: Language) -> String {
+        let (question, made, allowed) = (shortened(&self.question), self.made, self.allowed);
+        say!(language, "question {question}: {made} attempts, of which only the first {allowed} count")
+    }
+
+    /// Questions with more attempts than allowed. `computed`: facts of the answers.
+    pub(super) fn all(computed: &[Fact]) -> Vec<Self> {
+        let number = |item: &str, quantity: &str| {
+            let is_it = |fact: &&Fact| fact.part == Part::Answer && fact.item == item && fact.quantity == quantity;
+            match computed.iter().find(is_it)?.value {
+                FactValue::Number(Number(number)) => Some(number as usize),
+                FactValue::Text(_) => None,
+            }
+        };
+        let limits = computed.iter().filter(|fact| fact.part == Part::Answer && fact.quantity == "allowed");
+        let questions = limits.filter_map(|fact| {
+            let question = fact.item.clone();
+            let (allowed, made) = (number(&question, "allowed")?, number(&question, "made")?);
+            (made > allowed).then_some(Self { question, made, allowed })
+        });
+        questions.collect()
+    }
+}
+
 impl Difference {
     /// One line: place, stated and computed value.
     pub fn text(&self, language: Language) -> String {

@@ -14,7 +14,7 @@ mod verdict;
 
 pub use copies::{Copied, Curve, Relation, copied, copies};
 pub use desk::write_varied;
-pub use difference::{Difference, GradeDifference};
+pub use difference::{BeyondLimit, Difference, GradeDifference};
 pub use documents::DocumentDifference;
 pub use files::{DataFile, FILM_START, film_hash, project_of_files};
 pub use recomputation::Recomputation;

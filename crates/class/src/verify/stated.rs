@@ -2,7 +2,7 @@
 
 use super::difference::Difference;
 use saved::Number;
-use saved::hand_in::{Fact, FactValue, HandIn, Part};
+use saved::hand_in::{Fact, FactValue, HandIn, Part, fact_of_version_1};
 use std::borrow::Cow;
 
 /// The facts that a hand-in states, with identifiers.
@@ -20,9 +20,11 @@ pub(super) fn stated_facts(hand_in: &HandIn) -> Stated<'_> {
         return Stated { facts: Cow::Borrowed(&hand_in.facts), omitted: |_| false, looks: 0 };
     }
     let is_look = |fact: &&Fact| fact.part == Part::Answer && fact.quantity == "right answer";
-    let facts = hand_in.facts.iter().filter(|fact| !is_look(fact)).map(Fact::of_version_1).collect();
+    let facts = hand_in.facts.iter().filter(|fact| !is_look(fact)).map(fact_of_version_1).collect();
     let omitted = |fact: &Fact| match fact.part {
-        Part::Answer => fact.quantity == "shown" || fact.quantity.starts_with("grade:"),
+        Part::Answer => {
+            ["shown", "allowed", "made"].contains(&fact.quantity.as_str()) || fact.quantity.starts_with("grade:")
+        }
         Part::Run => ["seat", "assignment"].contains(&fact.quantity.as_str()),
         _ => false,
     };

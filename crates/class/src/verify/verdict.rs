@@ -1,6 +1,6 @@
 //! Comparison of stated values with computed ones.
 
-use super::difference::{Difference, GradeDifference, shortened};
+use super::difference::{BeyondLimit, Difference, GradeDifference, shortened};
 use super::stated::{Stated, sender_differences, stated_facts};
 use saved::Number;
 use saved::hand_in::{FOLLOWS_NOT, Fact, FactValue, HandIn, Part};
@@ -28,6 +28,8 @@ pub struct Verdict {
     pub differences: Vec<Difference>,
     /// Answers whose stated grade does not follow.
     pub grades: Vec<GradeDifference>,
+    /// Questions with more attempts than the document allows.
+    pub beyond: Vec<BeyondLimit>,
     /// Number of grades and of looks at right answers that cannot be computed, since work of versions up to 0.2.0 lacks the values
     /// at that time. They count as stated.
     pub unknown: usize,
@@ -64,6 +66,7 @@ impl Verdict {
                 "grades and looks at answers that count as stated, since versions up to 0.2.0 did not keep the values at that time: {unknown}"
             ));
         }
+        lines.extend(self.beyond.iter().map(|beyond| beyond.text(language)));
         lines.extend(self.grades.iter().map(|grade| grade.text(language)));
         lines.extend(self.differences.iter().map(|difference| difference.text(language)));
         lines
@@ -120,7 +123,8 @@ pub fn compare(hand_in: &HandIn, computed: &[Fact], refused: usize) -> Verdict {
         }
     }
     differences.extend(rest.into_iter().map(|(key, value)| difference(key, None, Some(value))));
-    Verdict { equal, differences, grades, unknown, refused, other_bits }
+    let beyond = BeyondLimit::all(computed);
+    Verdict { equal, differences, grades, beyond, unknown, refused, other_bits }
 }
 
 fn key(fact: &Fact) -> (Part, &str, &str) {

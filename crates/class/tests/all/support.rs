@@ -1,6 +1,7 @@
 //! Work of a student, made as the laboratory makes it.
 
 use class::verify::hand_in;
+use desk::play::Grade;
 use desk::{Desk, ExportKind, Imprint};
 use document::page::Source;
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -26,6 +27,32 @@ pub fn linear() -> Vec<Source> {
 pub fn lesson() -> Vec<Source> {
     let text = include_str!("support/lesson.md").to_owned();
     vec![Source { name: "lesson.md".to_owned(), text }]
+}
+
+/// A desk with a document, at a seat.
+pub fn seated(documents: &[Source], seat: &str) -> Desk {
+    let mut desk = Desk::open(document::open(&documents[0].text, &[]).sound().unwrap());
+    desk.play_mut().set_seat(seat).unwrap();
+    desk
+}
+
+/// Sets the parameter of this name.
+pub fn set(desk: &mut Desk, name: &str, value: f64) {
+    let index = desk.play().model().parameters.iter().position(|one| one.name == name).unwrap();
+    desk.play_mut().change_settings(|settings| settings.set_parameter(index, value)).unwrap();
+}
+
+/// The grade that the page shows for an answer.
+pub fn check(desk: &mut Desk, question: usize, typed: &str) -> Grade {
+    desk.play_mut().change_answers(|answers, run| answers.check(run, question, typed)).grade
+}
+
+/// The hand-in of the work at a seat, as it is read from its file.
+pub fn of_seat(desk: &Desk, documents: Vec<Source>, name: &str) -> HandIn {
+    let seat = desk.play().basis().seat().unwrap();
+    let sender = Sender { name: name.to_owned(), seat: seat.number, assignment: seat.assignment };
+    let work = Project { documents, state: desk.play().share(), items: desk::project_items(desk, 5) };
+    HandIn::read(&hand_in(work, sender, 6).unwrap().write()).unwrap()
 }
 
 /// Pseudo-random numbers, normal with standard deviation 1: sums of 12 uniform ones of a linear congruential generator.

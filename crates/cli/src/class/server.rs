@@ -11,7 +11,7 @@ use document::page::POLICY;
 use program::{Program, Seat};
 use runner::Loaded;
 use server::class::{Class, Classes};
-use server::http::{Place, Server};
+use server::http::{Log, Place, Server};
 use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::{Location, back_up, restore};
 use server::{Fault, Store, export, listen, now, qr, write_private_files};
@@ -23,7 +23,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::time::interval;
-use units::{Language, Words, words};
+use units::{Language, Words, say, words};
 
 /// First port that is tried, and the number of ports.
 const PORT: u16 = 4250;
@@ -105,9 +105,20 @@ async fn list(arguments: &ListClasses, terminal: Terminal) -> Result<(), Failure
     let location = location(&arguments.place)?;
     let fails = |fault| about(&location, &fault);
     let store = Store::existing(&location).await.map_err(fails)?;
+    let classes = store.classes().await.map_err(fails)?;
+    let erased = store.erased().await.map_err(fails)?;
     let mut lines = String::new();
-    for class in store.classes().await.map_err(fails)? {
-        lines += &stored::line(&store, &class, terminal.language).await.map_err(fails)?;
+    for class in &classes {
+        lines += &stored::line(&store, class, terminal.language).await.map_err(fails)?;
+        let seats = erased.iter().filter(|(of, seat)| *of == class.class && *seat > 0).count();
+        if seats > 0 {
+            lines += &say!(terminal.language, "; seats that were erased: {seats}");
+        }
+        lines.push('\n');
+    }
+    let gone = erased.iter().filter(|(_, seat)| *seat == 0).count();
+    if gone > 0 {
+        lines += &say!(terminal.language, "classes that were erased with all that was in them: {gone}");
         lines.push('\n');
     }
     output::print(&lines)
@@ -160,7 +171,8 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         let listener = listener(listened(arguments), arguments.port).await.map_err(|error| network(&error))?;
         let port = listener.local_addr().map_err(|error| network(&error))?.port();
         let (place, tls) = place(arguments, port)?;
-        let server = Server::new(classes, pages, place);
+        let log = arguments.log.as_deref().map(log).transpose()?;
+        let server = Server::new(classes, pages, place, log);
         let link = server.classes().link(&class).await.map_err(fails)?;
         let own = arguments.listen.filter(IpAddr::is_loopback).unwrap_or(Ipv4Addr::LOCALHOST.into());
         announce(&server, &class, &link, SocketAddr::from((own, port)), terminal);
@@ -179,6 +191,12 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
             interrupted = tokio::signal::ctrl_c() => interrupted.map_err(|error| network(&error)),
         }
     })
+}
+
+/// A log to which lines are added.
+fn log(path: &Path) -> Result<Log, Failure> {
+    let file = std::fs::OpenOptions::new().create(true).append(true).open(path);
+    Ok(Log::new(file.map_err(|error| Failure::file("write", path, &error))?))
 }
 
 /// The documents with their pages. A document with errors is refused.

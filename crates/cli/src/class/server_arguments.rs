@@ -81,6 +81,10 @@ pub struct ServeClass {
     #[arg(long, value_name = "CERT,KEY", requires = "public")]
     pub tls: Option<String>,
 
+    /// Log with a line of JSON for each request, without answers, names and addresses
+    #[arg(long, value_name = "FILE")]
+    pub log: Option<PathBuf>,
+
     /// Address on which the server listens, such as 192.0.2.5 or :: [default: all of IPv4; behind a proxy 127.0.0.1]
     #[arg(long, value_name = "ADDRESS")]
     pub listen: Option<IpAddr>,

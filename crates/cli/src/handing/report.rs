@@ -9,15 +9,14 @@ use saved::hand_in::FactValue;
 use serde_json::{Value, json};
 use units::Language;
 
-/// True if all values follow from their data, all documents are among the given ones, and no measured data are shared.
+/// True if all values follow from their data, all documents are among the given ones or those of the majority, and no measured data are shared.
 pub fn holds(class: &Collection) -> bool {
     let holds = |entry: &Entry| match entry.state() {
         State::Done(work) => work.verdict.holds(),
         State::Repeated(_) => true,
         State::Unreadable(_) | State::Waiting(_) => false,
     };
-    let is_given = |entry: &Entry| entry.document().is_none_or(|difference| difference.with != ComparedWith::Teacher);
-    class.entries().iter().all(|entry| holds(entry) && is_given(entry))
+    class.entries().iter().all(|entry| holds(entry) && entry.document().is_none())
         && class.copies().iter().all(|copied| copied.is_common_source)
 }
 
@@ -66,6 +65,7 @@ pub fn json(class: &Collection, language: Language) -> String {
                 "not_restored": work.verdict.refused,
                 "other_bits": work.verdict.other_bits.as_ref().map(|other| json!({"version": other.version, "bits": other.bits})),
                 "unknown": work.verdict.unknown,
+                "beyond": work.verdict.beyond.iter().map(|one| json!({"question": one.question, "made": one.made, "allowed": one.allowed})).collect::<Vec<_>>(),
                 "grades": work.verdict.grades.iter().map(|one| grade(one, language)).collect::<Vec<_>>(),
                 "document": entry.document().map(|difference| document(difference, language)),
                 "differences": differences(&work.verdict, language),
@@ -117,10 +117,12 @@ fn grade(one: &GradeDifference, language: Language) -> Value {
 }
 
 fn differences(verdict: &Verdict, language: Language) -> Vec<Value> {
-    let value = |value: &Option<FactValue>| serde_json::to_value(value).unwrap_or_default();
+    let value = |value: &Option<FactValue>| -> Value {
+        value.as_ref().and_then(|value| serde_json::from_str(&value.json()).ok()).unwrap_or_default()
+    };
     let difference = |one: &class::verify::Difference| {
         json!({
-            "part": one.part,
+            "part": one.part.code(),
             "item": one.item,
             "quantity": one.quantity,
             "stated": value(&one.stated),

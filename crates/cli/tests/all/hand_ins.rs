@@ -229,3 +229,22 @@ fn a_document_that_is_not_the_given_one_is_named_with_its_lines() {
     let text = meniscus(&["verify", folder, "--document", document]).stdout;
     assert!(text.contains("its document differs from the given one; lines that differ: "), "{text}");
 }
+
+/// Without a given document, one that differs from that of the others is named, and the exit code says so.
+#[test]
+fn a_document_unlike_that_of_the_majority_sets_the_exit_code() {
+    let directory = tempfile::tempdir().unwrap();
+    let folder = directory.path().join("in");
+    let add = |name: &str, text: String| {
+        let documents = vec![Source { name: "linear.md".to_owned(), text }];
+        let path = directory.path().join("work.meniscus");
+        std::fs::write(&path, Project { documents, ..Project::default() }.write()).unwrap();
+        handed(&path, &folder, name);
+    };
+    add("a", DOCUMENT.to_owned());
+    add("b", DOCUMENT.to_owned());
+    assert_eq!(verified(&folder).0, 0);
+    add("c", DOCUMENT.replace("Damping rate", "Rate of damping"));
+    let (code, found) = verified(&folder);
+    assert_eq!((code, &found["hand_ins"][2]["document"]["with"]["hand_ins"]), (1, &Value::from(2)), "{found:#}");
+}

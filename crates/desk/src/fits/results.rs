@@ -4,12 +4,12 @@ use crate::fits::fit::{Fitted, Part};
 use crate::fits::{Fits, ShownFits};
 use crate::removed::Removed;
 use crate::{Announcement, Changes, number, words};
-use analysis::fit::{Estimate, Outcome, Verdict};
+use analysis::fit::{Estimate, Nearness, Outcome, Verdict};
 use play::Play;
 use report::{FitReport, FitRow};
 use units::number::{Group, Style};
 use units::order::sort;
-use units::{Language, Unit};
+use units::{Dimension, Language, Unit};
 
 /// Maximum number of fits that are kept.
 pub const MOST_FITS: usize = 40;
@@ -71,6 +71,10 @@ pub struct FitDetail {
     pub sentences: Vec<String>,
     /// Names and values of statistics.
     pub statistics: Vec<(&'static str, String)>,
+    /// Nearness of the curve to the data, and a sentence about it; `None` if the values do not vary.
+    pub nearness: Option<(Nearness, String)>,
+    /// Index of the estimate that is shown first: the period, otherwise the first derived number.
+    pub leading: Option<usize>,
 }
 
 impl Fits {
@@ -173,10 +177,13 @@ impl ShownFits<'_> {
     pub fn detail(self, id: u32) -> Option<FitDetail> {
         let fit = self.fits.finished.iter().find(|fit| fit.id == id)?;
         let report = FitReport::new(&self.report(fit, &[], "", ""));
+        let estimates = self.estimate_views(fit, &report);
         Some(FitDetail {
             theory: fit.title(self.play),
             doubt: doubt(self.play.basis().language(), &fit.outcome),
-            estimates: self.estimate_views(fit, &report),
+            nearness: fit.outcome.nearness_in_brief(self.play.basis().language()),
+            leading: leading(&fit.outcome).and_then(|name| estimates.iter().position(|one| one.name == name)),
+            estimates,
             sentences: report.sentences().cloned().chain(self.missing_errors(fit)).collect(),
             statistics: report.statistics.iter().map(|one| (one.name, one.full_text())).collect(),
         })
@@ -294,6 +301,13 @@ pub(super) fn doubt(language: Language, outcome: &Outcome) -> Option<String> {
     }
     let names: Vec<String> = outcome.stopped().map(|one| play::symbol(&one.name)).collect();
     (!names.is_empty()).then(|| words::stopped(language, &names.join(", ")))
+}
+
+/// Name of the derived number that is shown first: a time called `T`, with any index; otherwise the first that is determined.
+fn leading(outcome: &Outcome) -> Option<&str> {
+    let mut derived = outcome.derived.iter().filter(|one| one.determined);
+    let is_period = |one: &&Estimate| one.unit.dimension == Dimension::TIME && one.name.split('_').next() == Some("T");
+    derived.clone().find(is_period).or_else(|| derived.next()).map(|one| one.name.as_str())
 }
 
 /// Common number format of the residuals of fits that are ranked together.

@@ -26,14 +26,8 @@ impl Facts {
     }
 
     /// Adds the facts that the simulation states about itself.
-    pub fn take(&mut self, part: Part, stated: Vec<play::Fact>) {
-        for play::Fact { item, quantity, value } in stated {
-            let value = match value {
-                play::FactValue::Number(number) => FactValue::Number(Number(number)),
-                play::FactValue::Text(text) => FactValue::Text(text),
-            };
-            self.add(part, &item, quantity, value);
-        }
+    pub fn take(&mut self, stated: Vec<Fact>) {
+        self.facts.extend(stated);
     }
 
     pub fn number(&mut self, part: Part, item: &str, quantity: impl Into<String>, value: f64) {

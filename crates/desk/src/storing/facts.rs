@@ -15,8 +15,8 @@ use saved::hand_in::{FOLLOWS, FOLLOWS_NOT, Fact, Part};
 pub fn facts(desk: &Desk) -> Vec<Fact> {
     let (play, records) = (desk.play(), desk.records().records());
     let mut facts = Facts::default();
-    facts.take(Part::Run, facts_of_run(play, name_of(&[&desk.document().source])));
-    facts.take(Part::Answer, facts_of_answers(play));
+    facts.take(facts_of_run(play, name_of(&[&desk.document().source])));
+    facts.take(facts_of_answers(play));
     for (id, name) in records.names() {
         let Some(record) = records.get(id) else { continue };
         let item = facts.item(Part::Record, record.name().to_owned());

@@ -111,5 +111,5 @@ fn too_many() -> Words {
 
 /// Names and texts of items in their order. `now` in milliseconds.
 fn written(items: impl Iterator<Item = (String, Item)>, now: u64) -> Vec<(String, String)> {
-    items.zip(now..).map(|((name, item), since)| (name, item.write(since))).collect()
+    items.map(|(name, item)| (name, item.write(now))).collect()
 }

@@ -206,7 +206,7 @@ fn kept_runs_are_read_by_their_names_and_ghosts_not_at_all() {
             followed(&mut desk).change_plots(|plots, run| plots.move_cursor(run, PlotId::at(plot), 0)).unwrap().samples;
         let texts: Vec<String> = texts.into_iter().map(|sample| sample.text.replace('\u{a0}', " ")).collect();
         let expected: &[&str] = match plot {
-            0 => &["y (initial settings) = 0.5", "y′ (initial settings) = 0", "y = 1", "y′ = 0"],
+            0 => &["y (h_l = 3 m) = 0.5", "y′ (h_l = 3 m) = 0", "y = 1", "y′ = 0"],
             _ => &["y′ = 0"],
         };
         assert_eq!(texts.len(), expected.len(), "{texts:?}");

@@ -20,6 +20,8 @@ pub struct Asked {
     pub hide: String,
     /// Expression of the answer, with its tolerance.
     pub answer: String,
+    /// Number of attempts that it allows.
+    pub attempts: String,
     /// The hint.
     pub hint: String,
     /// Explanation shown with the right answer.
@@ -39,6 +41,8 @@ pub enum QuestionPart {
     Hide,
     /// Answer with its tolerance.
     Answer,
+    /// Number of attempts.
+    Attempts,
     /// The hint.
     Hint,
     /// The explanation.
@@ -47,8 +51,8 @@ pub enum QuestionPart {
 
 impl QuestionPart {
     /// All parts, in the usual order.
-    pub const ALL: [Self; 7] =
-        [Self::Prompt, Self::After, Self::Set, Self::Hide, Self::Answer, Self::Hint, Self::Explanation];
+    pub const ALL: [Self; 8] =
+        [Self::Prompt, Self::After, Self::Set, Self::Hide, Self::Answer, Self::Attempts, Self::Hint, Self::Explanation];
 
     /// Keyword of the part; `None` for the prompt, which comes first.
     pub fn word(self) -> Option<&'static str> {
@@ -58,6 +62,7 @@ impl QuestionPart {
             Self::Set => Some("set"),
             Self::Hide => Some("hide"),
             Self::Answer => Some("answer"),
+            Self::Attempts => Some("attempts"),
             Self::Hint => Some("hint"),
             Self::Explanation => Some("explanation"),
         }
@@ -73,6 +78,7 @@ impl Asked {
             QuestionPart::Set => &self.set,
             QuestionPart::Hide => &self.hide,
             QuestionPart::Answer => &self.answer,
+            QuestionPart::Attempts => &self.attempts,
             QuestionPart::Hint => &self.hint,
             QuestionPart::Explanation => &self.explanation,
         }
@@ -94,6 +100,7 @@ pub fn asked(outline: &Outline) -> Vec<Asked> {
             set: text(Some("set")),
             hide: text(Some("hide")),
             answer: text(Some("answer")),
+            attempts: text(Some("attempts")),
             hint: text(Some("hint")),
             explanation: text(Some("explanation")),
         }

@@ -14,7 +14,7 @@ use units::words;
 pub const QUESTIONS: usize = 200;
 
 /// Keys of a question; the text before the first key is the prompt.
-const KEYS: [&str; 6] = ["after", "set", "hide", "answer", "hint", "explanation"];
+const KEYS: [&str; 7] = ["after", "set", "hide", "answer", "attempts", "hint", "explanation"];
 
 /// Tolerances `within 2 %` and `within 0.1 [s]`.
 const TOLERANCE: tolerances::Form = tolerances::Form {
@@ -102,7 +102,7 @@ pub fn texts(prose: &mut Prose, raw: &RawQuestion) -> QuestionText {
 /// Warns of computed parts in a translation, which may contain texts only.
 pub fn check_translation(raw: &RawQuestion, diagnostics: &mut Vec<Diagnostic>) {
     for (key, range) in &raw.fields {
-        if matches!(*key, "after" | "answer" | "set" | "hide") {
+        if matches!(*key, "after" | "answer" | "set" | "hide" | "attempts") {
             let span = Span::new(range.start - key.len() - 1, range.end);
             diagnostics.push(
                 Diagnostic::warning("translation", words!("`{key}:` in a translation means nothing"), span)
@@ -161,6 +161,7 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     let setup = raw.field("set").map_or(Vec::new(), |range| expressions.assignments(range));
     let hides = raw.field("hide").map_or(Vec::new(), |range| hidden(expressions, range));
     let after = raw.field("after").map_or(Vec::new(), |range| questions_before(expressions, range, earlier));
+    let attempts = raw.field("attempts").and_then(|range| attempts_allowed(expressions, range));
     let answer = sentence(source, answer, &grammar::ANSWER);
     let Some(within) = answer.phrases().next().and_then(|phrase| phrase.split_last(&["within"])) else {
         if let Some(sign) = plus_minus(source, answer.span) {
@@ -180,7 +181,23 @@ pub fn compile(expressions: &mut Expressions, raw: &RawQuestion, earlier: &[Opti
     let answer_value = expressions.constant(within.before.span().range(), &words("an answer"))?;
     let tolerance = tolerances::read(expressions, within.after.span(), &answer_value, &TOLERANCE)?;
     let answer = answer_value.value;
-    Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance })
+    Some(Question { setup, hides, after, unit: answer.unit.clone(), answer, tolerance, attempts })
+}
+
+/// Number of attempts that a question allows: `3`.
+fn attempts_allowed(expressions: &mut Expressions, range: Range<usize>) -> Option<u32> {
+    let place = trim(expressions.source, range.clone());
+    let number = expressions.source[place.clone()].parse().ok();
+    let number = number.filter(|number| (1..=Question::MOST_ATTEMPTS).contains(number));
+    if number.is_none() {
+        let most = Question::MOST_ATTEMPTS;
+        let span = Span::new(if place.is_empty() { range.start } else { place.start }, place.end.max(range.start));
+        let message = words!("the number of attempts is a whole number from 1 to {most}");
+        let diagnostic = Diagnostic::error("question-syntax", message, span);
+        let hint = words("write, say, `attempts: 3`; without the line there is no limit");
+        expressions.diagnostics.push(diagnostic.with_hint(hint));
+    }
+    number
 }
 
 /// Place of a sign `±` before the tolerance of an answer.

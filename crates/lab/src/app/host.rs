@@ -1,7 +1,7 @@
 //! The laboratory as the page around the views of the simulation: its announcements, views and storage.
 
 use super::{Lab, Store};
-use crate::{documents::saved, documents::visited, film, measuring::data, write};
+use crate::{documents::saved, documents::visited, film, fit, measuring::data, write};
 use desk::{Announcement, Desk};
 use play::{Embedding, Play};
 use units::Language;
@@ -86,6 +86,10 @@ impl Host for Store {
         self.app.get().map_or_else(Default::default, |app| [film::stage::picture(*app), film::stage::transport(*app)])
     }
 
+    fn strip(&self) -> View {
+        self.app.get().map_or_else(View::new, |app| fit::strip(*app))
+    }
+
     fn look_at(&self, time: &mut dyn FnMut() -> Option<f64>) {
         if let Some(app) = self.app.get() {
             film::look_at(*app, time);
@@ -167,6 +171,9 @@ impl Host for Store {
                 write::FINDINGS => tabs::WRITE,
                 _ => tabs::MEASURE,
             });
+            if place == fit::RESULTS {
+                fit::unfold_results(*app);
+            }
         }
         browser::reveal_later(place.to_owned());
     }
@@ -187,7 +194,7 @@ impl Store {
             {
                 None
             }
-            Announcement::FitFinished(_) => Some(message.leading_to("fit-results".to_owned())),
+            Announcement::FitFinished(_) => Some(message.leading_to(fit::RESULTS.to_owned())),
             own if own.can_be_undone() => Some(message.undone_by(desk.undo_number())),
             _ => Some(message),
         };

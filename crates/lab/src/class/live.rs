@@ -1,4 +1,4 @@
-//! Pages of a class server. The script of the teacher's page passes hand-ins as they arrive, that of a student's page takes the work.
+//! Pages of a class server. The script of the teacher's page passes hand-ins as they arrive, that of a student's page asks for the work.
 
 use super::{survey, window};
 use crate::app::App;
@@ -7,22 +7,17 @@ use crate::verifying::reading::read;
 use class::collection::References;
 use desk::saved::hand_in::{HandIn, HandInError};
 use view::browser;
+use view::page::class as class_page;
 use view::views::{Signal, create_signal, document, window as page_window};
-use wasm_bindgen::JsCast;
-use web_sys::{CustomEvent, CustomEventInit, Event, File};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::future_to_promise;
+use web_sys::{CustomEvent, Event, File};
 
-/// Element that the class server puts into its pages.
-const CONFIG: &str = "class-config";
 /// Events of the teacher's script: the documents of the class, open the dashboard, a hand-in as a file, a list of answers to surveys.
 const DOCUMENTS: &str = "class-documents";
 const OPEN: &str = "class-open";
 const HAND_IN: &str = "class-hand-in";
 const SHEETS: &str = "class-sheets";
-/// Event of the student's script: hand in under this name. `MADE` answers with the text of the hand-in.
-const ASKED: &str = "class-hand-in-asked";
-const MADE: &str = "class-hand-in-made";
-/// Event of the student's script: the hand-in that the server has of this seat, perhaps from another device.
-const KNOWN: &str = "class-hand-in-known";
 /// Tells the script that this page listens.
 const READY: &str = "class-ready";
 
@@ -31,7 +26,7 @@ type Items = Vec<(String, String)>;
 
 /// Listens to the script of a class server; does nothing in any other page.
 pub fn listen(app: App) {
-    if browser::by_id::<web_sys::Element>(CONFIG).is_none() {
+    if !class_page::is_here() {
         return;
     }
     browser::listen(DOCUMENTS, move |event: &CustomEvent| {
@@ -51,16 +46,15 @@ pub fn listen(app: App) {
         wasm_bindgen_futures::spawn_local(survey::add(app, files));
     });
     let handed = create_signal(None);
-    browser::listen(ASKED, move |event: &CustomEvent| {
-        wasm_bindgen_futures::spawn_local(hand_in(app, event.detail().as_string().unwrap_or_default(), handed));
-    });
-    browser::listen(KNOWN, move |event: &CustomEvent| {
-        let known = event.detail().as_string().and_then(|text| HandIn::read(&text).ok());
-        if let Some(known) = known {
-            app.act_on_desk(|desk| desk::merge_project_items(desk, &known.work.items).len());
-            app.page.rebuild();
-        }
-    });
+    class_page::offer(
+        move |name| future_to_promise(hand_in(app, name, handed)),
+        move |text| {
+            if let Ok(known) = HandIn::read(&text) {
+                app.act_on_desk(|desk| desk::merge_project_items(desk, &known.work.items).len());
+                app.page.rebuild();
+            }
+        },
+    );
     if let Some(root) = document().document_element() {
         let _ = root.set_attribute("data-class", "ready");
     }
@@ -75,19 +69,14 @@ async fn take(app: App, file: File) {
     app.class.compute();
 }
 
-/// Passes the work to the script if its items have changed. `handed`: the items of last time.
-async fn hand_in(app: App, name: String, handed: Signal<Option<Items>>) {
-    // Without the time of storage, which changes alone.
+/// The parts of the work; undefined if its items are as they were last time, or if the document has errors. `handed`: the items of
+/// last time.
+async fn hand_in(app: App, name: String, handed: Signal<Option<Items>>) -> Result<JsValue, JsValue> {
     let items = Some(app.read_desk(|desk| desk::project_items(desk, 0)));
     if handed.with_untracked(|before| *before == items) {
-        return;
+        return Ok(JsValue::UNDEFINED);
     }
     handed.set_silent(items);
-    if let Some((hand_in, _)) = publish::made(app, name).await {
-        let options = CustomEventInit::new();
-        options.set_detail(&hand_in.write().into());
-        if let Ok(made) = CustomEvent::new_with_event_init_dict(MADE, &options) {
-            let _ = page_window().dispatch_event(&made);
-        }
-    }
+    let made = publish::made(app, name).await;
+    Ok(made.map_or(JsValue::UNDEFINED, |(hand_in, _)| class_page::array_of(&hand_in.parts())))
 }

@@ -30,7 +30,7 @@ table_of_words! {
     stuck_rules: "A group is stuck if it gives three answers wrong in the same way, if it has kept the same run five times, if a fit does not determine its parameters, or if a result is far from the others.";
     nothing: "None.";
 
-    snapshots: "For the wall";
+    snapshots: "For the projector";
     snapshots_none: "Nothing is collected yet. Choose curves, or answers below their question; a projector then shows them without names.";
     wall_show: "Show on the wall";
     wall_title: "Wall";

@@ -35,7 +35,7 @@ table_of_words! {
     pause: "Pause the film";
 
     // Prompts for the next click.
-    leave: "Not now";
+    leave: "Skip";
     ask_surface: "Click the surface of the liquid";
     ask_second_surface: "Click the surface in the other arm";
     ask_body: "Click the body";
@@ -108,7 +108,7 @@ table_of_words! {
     hint_arms: "One click on the surface in each arm.";
     hint_body: "One click on the body in the first frame of its motion; where it is lost, click it again.";
     hint_hand: "A click in each frame, for what nothing else can follow.";
-    click_it: "Click it in the film";
+    click_it: "Click in the film";
     another_body: "Another body";
     radius: "Radius";
     radius_found: "found from the click";
@@ -125,7 +125,7 @@ table_of_words! {
     lacks_origin: "The origin is missing: choose Origin and click the height that is zero in the model, such as the level of rest. Until then heights count from the bottom of the picture.";
     set_axis: "x axis";
     length: "Length";
-    intervals: "Marks divide it into";
+    intervals: "Intervals on it";
     in_pixels: "Stay in pixels";
     more_lengths: "Perspective, ruler behind the tube";
     rectangle: "Corners of a rectangle";
@@ -141,8 +141,8 @@ table_of_words! {
     doubtful: "Doubtful frames";
     doubts_note: "The period key leads from one to the next. Drag the curve under the film where it is wrong.";
     doubts_note_bodies: "The period key leads from one to the next. Click the body again where it is lost or wrong.";
-    fit: "Fit";
     show_record: "Show the record";
+    insecure: "This browser decodes films only in a page that comes over https or from a disk: open this page so.";
 }
 
 /// Texts in the current language, without tracking the signal.

@@ -1,23 +1,40 @@
-//! Fits in the page: started by a button, computed in slices between frames.
+//! Fits in the page: started by a button, computed in slices between frames. The strip under the plots has what a fit needs and
+//! its result in three lines; the tab *Measure* has the rest, folded.
 
 mod leaving_out;
+mod lines;
 mod report;
 mod results;
 mod setup;
+mod signals;
 mod starting;
+mod strip;
+mod suitability;
 mod theories;
 mod work;
 
+pub use results::RESULTS;
+pub use signals::Fitting;
+pub use strip::view as strip;
+pub use suitability::follow;
 pub use work::go_on;
 
 use crate::app::App;
-use desk::FitProgress;
-use starting::Starting;
-use theories::Suitability;
+use view::page::everything;
 use view::views::*;
-use view::{browser, page::everything};
+use web_sys::HtmlDetailsElement;
 
-/// Last step of the tab *Measure*: record, theory, result.
+/// Places of the folded steps in [`Fitting::unfolded`].
+const RECORD: usize = 0;
+const THEORY: usize = 1;
+const NUMBERS: usize = 2;
+
+/// Unfolds the results of the fits.
+pub fn unfold_results(app: App) {
+    app.fit.unfolded[NUMBERS].set(true);
+}
+
+/// What the tab *Measure* has about fits; empty without records.
 pub fn view(app: App) -> View {
     let has_records = memo(move || {
         app.records.track();
@@ -28,97 +45,41 @@ pub fn view(app: App) -> View {
         app.tab.track();
         app.page.wake();
     });
-    changing(move || if has_records.get() { steps(app) } else { nothing_yet(app) })
-}
-
-/// Content without records.
-fn nothing_yet(app: App) -> View {
-    let section = section().class("fitting-steps").attr("aria-labelledby", "fit-title");
-    section.child(title(app)).child(note(app.words().fit_none)).into()
-}
-
-fn title(app: App) -> HtmlH3 {
-    h3().id("fit-title").child(app.words().fit_title)
+    changing(move || if has_records.get() { steps(app) } else { View::new() })
 }
 
 fn steps(app: App) -> View {
     let words = app.words();
-    let starting = Starting::new();
-    let Starting { refusal, chosen, ranked, .. } = starting;
-    let suitability = Suitability::new(app);
-    let begin = move |rank: bool| {
-        wasm_bindgen_futures::spawn_local(async move {
-            if rank { starting.rank(app).await } else { starting.fit(app, suitability).await }
-        });
-    };
-    let busy = memo(move || app.fit_progress.with(Option::is_some));
-    let begins = move |rank: bool| {
-        button().attr("aria-disabled", move || busy.get().to_string()).when(events::click, move |_| begin(rank))
-    };
-    let buttons = div()
-        .class("intake")
-        .child(begins(false).class("primary").id("fit").child(words.fit_begin))
-        .child(begins(true).class("quiet").id("rank").title(words.fit_rank_title).child(words.fit_rank))
-        .child(changing(move || if busy.get() { running(app, starting) } else { View::new() }));
-    let record = step("record-step", "1", words.fit_step_record)
+    let refusal = app.fit.refusal;
+    let rank = starting::button_of(app, true).class("quiet").id("rank").title(words.fit_rank_title);
+    let another = section()
+        .class("fitting card step")
+        .attr("aria-labelledby", "another-theory")
+        .child(h3().id("another-theory").child(words.fit_another))
+        .child(note(words.fit_another_note))
+        .child(div().class("intake").child(rank.child(words.fit_rank)));
+    let record = fold(app, RECORD, "record-step", words.fit_step_record)
         .child(setup::record(app, refusal))
         .child(leaving_out::view(app));
-    let theory = step("theory-step", "2", words.fit_step_theory)
-        .child(theories::view(app, suitability))
+    let theory = fold(app, THEORY, "theory-step", words.fit_step_theory)
+        .child(theories::view(app))
         .child(setup::varied(app, refusal));
-    let fit = step("fit-step", "3", words.fit_step_fit)
-        .child(buttons)
-        .child(refusal_of(refusal))
-        .child(results::view(app, chosen, ranked))
+    let numbers = fold(app, NUMBERS, "fit-step", words.fit_step_fit)
+        .child(results::view(app))
         .child(everything::only(app.page, Box::new(move || setup::options(app).into())));
-    section()
-        .class("fitting-steps")
-        .attr("aria-labelledby", "fit-title")
-        .child(title(app))
-        .child(record)
-        .child(theory)
-        .child(fit)
-        .into()
+    // Where the strip is the lower bar of the window, it has no room for the result.
+    let result = changing(move || if app.narrow.get() { lines::view(app).into() } else { View::new() });
+    div().class("fitting-steps").child(result).child(another).child(record).child(theory).child(numbers).into()
 }
 
-/// A card with its step number.
-fn step(id: &'static str, number: &'static str, title: &'static str) -> HtmlSection {
-    let heading = format!("{id}-title");
-    let number = span().class("number-of-step").attr("aria-hidden", "true").child(number);
-    section()
-        .class("fitting card step")
+/// A card that is unfolded by its title; it stays so when the tab is built again.
+fn fold(app: App, place: usize, id: &'static str, title: &'static str) -> HtmlDetails {
+    let mut card = details();
+    let node: HtmlDetailsElement = card.node();
+    let open = app.fit.unfolded[place];
+    card.class("fitting card fold")
         .id(id)
-        .attr("aria-labelledby", heading.clone())
-        .child(h3().id(heading).child(number).child(title))
-}
-
-/// Progress bar with a cancel button, while a fit is running.
-fn running(app: App, starting: Starting) -> View {
-    let words = app.words();
-    let progress = app.fit_progress;
-    let finished = move || progress.with(|now| now.as_ref().map_or((0, 1), |now| now.finished));
-    let reported = move || {
-        progress.with(|now| {
-            let Some(FitProgress { theory, trials, finished, .. }) = now else { return String::new() };
-            let place = if finished.1 > 1 { format!("{}/{}: ", finished.0 + 1, finished.1) } else { String::new() };
-            format!("{place}{theory}, {trials} {}", words.fit_trials)
-        })
-    };
-    // The progress of a single fit is unknown.
-    let part = move || {
-        let (done, all) = finished();
-        (all > 1).then(|| done.to_string())
-    };
-    let cancel = move |_| {
-        starting.press();
-        app.act_on_desk(|desk| desk.change_fits(|fits, _| fits.cancel()));
-        go_on(app);
-        progress.set(None);
-        browser::focus("fit");
-    };
-    View::from((
-        tags::progress().attr("aria-label", words.fit_begin).max(move || finished().1.to_string()).value(part),
-        span().class("note").child(text(reported)),
-        button().class("quiet").id("cancel-fit").when(events::click, cancel).child(words.fit_cancel),
-    ))
+        .prop("open", move || open.get())
+        .when(events::toggle, move |_| open.set(node.open()))
+        .child(summary().child(h3().child(title)))
 }

@@ -1,6 +1,6 @@
 //! Results of fits: comparison, details of one fit, and export.
 
-use super::report;
+use super::{Fitting, report};
 use crate::app::App;
 use crate::documents::opening;
 use desk::{ExportKind, FitDetail, FitView, Imprint};
@@ -12,17 +12,26 @@ use view::pieces::symbols::name_and_symbol;
 use view::views::*;
 use wasm_bindgen::JsValue;
 
-/// Comparison of the fits and details of one of them: `chosen`, otherwise the best if they were `ranked`, otherwise the
-/// last. While fits are running, unchanged content keeps its place.
-pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View {
-    let listed = memo(move || {
+/// Id of the list of the fits.
+pub const RESULTS: &str = "fit-results";
+
+/// The fits, and the id of the one whose details are shown: the chosen one, otherwise the best if they were ranked, otherwise
+/// the last.
+pub fn shown(app: App) -> ReadSignal<(Vec<FitView>, Option<u32>)> {
+    let Fitting { chosen, ranked, .. } = app.fit;
+    memo(move || {
         app.fits.track();
         let fits = app.read_desk(|desk| desk.fits().list());
         let last = fits.iter().map(|fit| fit.id).max();
         let best = fits.first().map(|fit| fit.id).filter(|_| ranked.get());
         let shown = chosen.get().filter(|id| fits.iter().any(|fit| fit.id == *id)).or(best).or(last);
         (fits, shown)
-    });
+    })
+}
+
+/// Comparison of the fits and details of one of them. While fits are running, unchanged content keeps its place.
+pub fn view(app: App) -> View {
+    let listed = shown(app);
     // The result of a fit never changes.
     let detailed = memo(move || listed.with(|(fits, shown)| (*shown, fits.len() > 1)));
     let any = memo(move || listed.with(|(fits, _)| !fits.is_empty()));
@@ -30,21 +39,21 @@ pub fn view(app: App, chosen: Signal<Option<u32>>, ranked: Signal<bool>) -> View
         let (fits, shown) = listed.get_clone();
         // If several theories were fitted, the row of the open one is marked.
         let several = fits.iter().any(|fit| fit.theory != fits[0].theory);
-        each(fits, |fit| row(app, fit, (shown, several), chosen))
+        each(fits, |fit| row(app, fit, (shown, several), app.fit.chosen))
     };
     let detail = move || match detailed.get() {
         (Some(id), several) => detail(app, id, several),
         (None, _) => View::new(),
     };
     let results = move || View::from((changing(detail), table(app, changing(rows))));
-    changing(move || if any.get() { results() } else { View::new() })
+    changing(move || if any.get() { results() } else { note(app.words().fit_no_numbers).into() })
 }
 
 fn table(app: App, rows: View) -> HtmlDiv {
     let words = app.words();
     let heads = [words.fit_theory_head, words.fit_rmse, "ΔAICc", words.fit_weight];
     let head = tr().each(heads, column_head);
-    table_in("table fits", words.fit_results, Some(head), tbody().child(rows)).id("fit-results")
+    table_in("table fits", words.fit_results, Some(head), tbody().child(rows)).id(RESULTS)
 }
 
 fn row(app: App, fit: FitView, (shown, several): (Option<u32>, bool), chosen: Signal<Option<u32>>) -> HtmlTr {

@@ -13,16 +13,27 @@ type Refusal = Signal<Option<String>>;
 /// Parameters that can be varied, with their present settings.
 type Choices = ReadSignal<Vec<ChoiceView>>;
 
-/// The records and the selected part of the time axis.
+/// The records that are fitted together, and the selected part of the time axis.
 pub fn record(app: App, refusal: Refusal) -> View {
-    let records = memo(move || {
+    let records = records(app);
+    View::from((
+        div().class("step-line").child(ends(app, refusal)),
+        changing(move || together(app, records.get_clone())),
+    ))
+}
+
+/// Choice of the record shown.
+pub fn chooser(app: App) -> View {
+    let records = records(app);
+    changing(move || choice(app, records.get_clone()))
+}
+
+fn records(app: App) -> ReadSignal<Vec<FitRecordView>> {
+    memo(move || {
         app.records.track();
         app.fits.track();
         app.read_desk(|desk| desk.fits().records())
-    });
-    let line =
-        div().class("step-line").child(changing(move || chooser(app, records.get_clone()))).child(ends(app, refusal));
-    View::from((line, changing(move || together(app, records.get_clone()))))
+    })
 }
 
 /// Varied parameters. Rebuilt only when the rows change, so that typing is not interrupted.
@@ -68,8 +79,7 @@ fn loss(app: App) -> HtmlDiv {
         .child(note(words.fit_loss_note).id("fit-loss-note"))
 }
 
-/// Choice of the record shown.
-fn chooser(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
+fn choice(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
     let choose = move |event| {
         if let Ok(id) = value_of(&event).parse() {
             app.act_on_desk(|desk| desk.choose_record(id));
@@ -78,7 +88,6 @@ fn chooser(app: App, records: Vec<FitRecordView>) -> HtmlSelect {
     };
     select()
         .id("fit-record")
-        .attr("aria-label", app.words().fit_record)
         .when(events::change, choose)
         .each(records, |record| option().value(record.id.to_string()).selected(record.chosen).child(record.name))
 }

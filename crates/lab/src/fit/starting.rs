@@ -1,82 +1,58 @@
 //! Starting fits by a button: what has to be computed before is divided into tasks of the browser.
 
-use super::go_on;
-use super::theories::Suitability;
+use super::{go_on, suitability};
 use crate::app::App;
 use crate::library;
 use view::browser;
 use view::views::*;
 
-/// Starting of fits, with what the views show about it.
-#[derive(Clone, Copy)]
-pub struct Starting {
-    /// Number of fits that were started or cancelled: only the last wish counts.
-    presses: Signal<u32>,
-    /// Reason why the last fit was refused.
-    pub refusal: Signal<Option<String>>,
-    /// Id of the result that the user has chosen.
-    pub chosen: Signal<Option<u32>>,
-    /// Result shown unless the user chooses: the best one after a ranking, otherwise the last one.
-    pub ranked: Signal<bool>,
+/// A button that fits the open document, or with `rank` every theory.
+pub fn button_of(app: App, rank: bool) -> HtmlButton {
+    let busy = memo(move || app.fit_progress.with(Option::is_some));
+    let begin = move |_| {
+        wasm_bindgen_futures::spawn_local(
+            async move { if rank { start_ranking(app).await } else { start(app).await } },
+        );
+    };
+    button().attr("aria-disabled", move || busy.get().to_string()).when(events::click, begin)
 }
 
-impl Starting {
-    /// Nothing has been started.
-    pub fn new() -> Self {
-        Self {
-            presses: create_signal(0),
-            refusal: create_signal(None),
-            chosen: create_signal(None),
-            ranked: create_signal(true),
-        }
+/// Fits the open document, as soon as it is known whether it can hold the record.
+async fn start(app: App) {
+    let (fit, opened) = (app.fit, opened(app));
+    let press = fit.press();
+    suitability::known(app).await;
+    if fit.presses.get_untracked() != press || self::opened(app) != opened {
+        return;
     }
-
-    /// Drops what has not begun yet. Returns the number of the wish.
-    pub fn press(self) -> u32 {
-        self.presses.update(|count| *count += 1);
-        self.presses.get_untracked()
+    let objection = fit.objection();
+    if objection.is_some() {
+        return fit.refusal.set(objection);
     }
+    fit.show(false);
+    let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
+    fit.refusal.set(app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.begin(data, &file))));
+    go_on(app);
+}
 
-    /// Fits the open document, as soon as it is known whether it can hold the record.
-    pub async fn fit(self, app: App, suitability: Suitability) {
-        let press = self.press();
-        if !suitability.known().await || self.presses.get_untracked() != press {
-            return;
-        }
-        let objection = suitability.objection();
-        if objection.is_some() {
-            return self.refusal.set(objection);
-        }
-        self.show(false);
-        let file = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
-        self.refusal.set(app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.begin(data, &file))));
-        go_on(app);
-    }
+/// Documents that have been opened so far, and programs.
+fn opened(app: App) -> (u64, u64) {
+    (app.changes.document.get_untracked(), app.changes.program.get_untracked())
+}
 
-    /// Opens the theories, one in each task, and fits them all.
-    pub async fn rank(self, app: App) {
-        let press = self.press();
-        self.show(true);
-        let mut theories = Vec::new();
-        for entry in library::theories() {
-            browser::breathe().await;
-            theories.extend(entry.open().map(|document| (entry.file().to_owned(), document)));
-        }
+/// Opens the theories, one in each task, and fits them all, whatever document is opened meanwhile: the records are the same.
+async fn start_ranking(app: App) {
+    let fit = app.fit;
+    let press = fit.press();
+    fit.show(true);
+    let mut theories = Vec::new();
+    for entry in library::theories() {
         browser::breathe().await;
-        // The views may have been built again for another document; the records are the same.
-        let is_shown = self.presses.is_alive();
-        if is_shown && self.presses.get_untracked() != press {
-            return;
-        }
-        let refused = app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.begin_ranking(data, theories)));
-        if is_shown {
-            self.refusal.set(refused);
-        }
-        go_on(app);
+        theories.extend(entry.open().map(|document| (entry.file().to_owned(), document)));
     }
-
-    fn show(self, ranked: bool) {
-        self.ranked.set(ranked);
-        self.chosen.set(None);
+    browser::breathe().await;
+    if fit.presses.get_untracked() == press {
+        fit.refusal.set(app.attempt_on_desk(|desk| desk.change_fits(|fits, data| fits.begin_ranking(data, theories))));
+        go_on(app);
     }
 }

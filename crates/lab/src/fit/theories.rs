@@ -1,9 +1,8 @@
-//! Selection of the theory, each shown with its equation. Selecting a theory opens it; the page keeps its scroll
-//! position.
+//! Selection of the theory: in the strip by its title, in the panel with its equation. Selecting a theory opens it; the page
+//! keeps its scroll position.
 
 use crate::app::App;
 use crate::{documents::opening, library};
-use desk::{PeriodComparison, PeriodQuestion};
 use document::Document;
 use view::browser;
 use view::views::*;
@@ -17,99 +16,47 @@ struct Theory {
     chosen: bool,
 }
 
-/// Choice of the open document as the theory of the next fit. One that cannot hold the record is not preselected.
-#[derive(Clone, Copy)]
-pub struct Suitability {
-    /// Question that was asked last.
-    asked: Signal<Option<PeriodQuestion>>,
-    /// True while its answer is being computed.
-    waits: Signal<bool>,
-    /// Reason why the open document cannot hold the record, if any: the last answer.
-    reason: Signal<Option<String>>,
-    /// True if the user has chosen the open document in spite of the reason.
-    insists: Signal<bool>,
+/// List of the titles.
+pub fn choice(app: App) -> HtmlSelect {
+    let theories = theories(app);
+    let titles: Vec<String> = theories.iter().map(|theory| theory.title.clone()).collect();
+    let open = titles.first().cloned().unwrap_or_default();
+    let choose = move |event| {
+        let title = value_of(&event);
+        if let Some(theory) = theories.iter().find(|theory| theory.title == title) {
+            theory.choose(app, "fit-theory");
+        }
+    };
+    // Nothing is preselected while the open document cannot hold the record.
+    let objection = move || app.fit.objection().is_some();
+    let none = option().value("").disabled(true).hidden(move || !objection()).child(app.words().fit_choose_theory);
+    select()
+        .id("fit-theory")
+        .when(events::change, choose)
+        .child(none)
+        .each(titles, |title| option().value(title.clone()).child(title))
+        .prop("value", move || if objection() { String::new() } else { open.clone() })
 }
 
-impl Suitability {
-    /// Suitability of the open document for the chosen record.
-    pub fn new(app: App) -> Self {
-        let suitability = Self {
-            asked: create_signal(None),
-            waits: create_signal(false),
-            reason: create_signal(None),
-            insists: create_signal(false),
-        };
-        effect(move || {
-            app.records.track();
-            app.fits.track();
-            suitability.ask(app);
-        });
-        suitability
-    }
-
-    /// Asks again if anything has changed on which the answer depends.
-    fn ask(self, app: App) {
-        let question = app.read_desk(|desk| desk.fits().period_question(desk.revision()));
-        if self.asked.with_untracked(|asked| *asked == question) {
-            return;
-        }
-        self.asked.set(question.clone());
-        let comparison = question.and_then(|question| app.read_desk(|desk| desk.fits().compare_periods(question)));
-        self.waits.set(comparison.is_some());
-        match comparison {
-            Some(comparison) => wasm_bindgen_futures::spawn_local(self.compute(app, comparison)),
-            None => self.answer(None),
-        }
-    }
-
-    /// Computes the answer, one period in each task of the browser, unless something else is asked meanwhile.
-    async fn compute(self, app: App, mut comparison: PeriodComparison) {
-        loop {
-            browser::breathe().await;
-            let is_asked = |asked: &Option<PeriodQuestion>| asked.as_ref() == Some(comparison.question());
-            if !self.asked.is_alive() || !self.asked.with_untracked(is_asked) {
-                return;
-            }
-            if comparison.advance() {
-                break;
-            }
-        }
-        self.waits.set(false);
-        self.answer(app.read_desk(|desk| desk.fits().cannot_hold(&comparison)));
-    }
-
-    fn answer(self, reason: Option<String>) {
-        if self.reason.with_untracked(|before| *before != reason) {
-            self.reason.set(reason);
-        }
-    }
-
-    /// Waits for the answer. Returns false if the views are gone meanwhile.
-    pub async fn known(self) -> bool {
-        while self.waits.is_alive() && self.waits.get_untracked() {
-            browser::breathe().await;
-        }
-        self.waits.is_alive()
-    }
-
-    /// Reason why the open document is not the theory of the next fit, if any.
-    pub fn objection(self) -> Option<String> {
-        if self.insists.get() { None } else { self.reason.get_clone() }
-    }
-}
-
-/// List of the theories.
-pub fn view(app: App, suitability: Suitability) -> View {
-    let words = app.words();
+/// List of the theories with their equations.
+pub fn view(app: App) -> View {
     let chips = theories(app).into_iter().enumerate();
-    let list = div().class("theories").role("group").attr("aria-label", words.fit_theory);
-    let list = list.each(chips, |(number, theory)| chip(app, number, theory, suitability));
+    let list = div().class("theories").role("group").attr("aria-label", app.words().fit_theory);
+    let list = list.each(chips, |(number, theory)| chip(app, number, theory));
     write_equations(app);
-    let objection = changing(move || match suitability.objection() {
-        Some(reason) => note(reason).id("unsuitable").into(),
-        None => View::new(),
-    });
-    View::from((list, objection))
+    list.into()
+}
+
+impl Theory {
+    /// Opens the theory; the focus goes to the element `focus`. The open one is chosen in spite of what speaks against it.
+    fn choose(&self, app: App, focus: &str) {
+        if self.chosen {
+            app.fit.insists.set(true);
+        } else if let Some(files) = self.file.as_deref().and_then(library::find) {
+            opening::change_theory(app, files);
+            browser::focus_later(focus.to_owned());
+        }
+    }
 }
 
 fn theories(app: App) -> Vec<Theory> {
@@ -128,10 +75,8 @@ fn theories(app: App) -> Vec<Theory> {
     theories
 }
 
-fn chip(app: App, number: usize, theory: Theory, suitability: Suitability) -> HtmlButton {
-    let Theory { file, title, chosen } = theory;
-    let id = format!("theory-{number}");
-    let equation = match &file {
+fn chip(app: App, number: usize, theory: Theory) -> HtmlButton {
+    let equation = match &theory.file {
         Some(file) => {
             let file = file.clone();
             let written = memo(move || app.equations.with(|known| known.get(&file).cloned().unwrap_or_default()));
@@ -139,22 +84,12 @@ fn chip(app: App, number: usize, theory: Theory, suitability: Suitability) -> Ht
         }
         None => span().class("equation").inner_html(app.read_desk(|desk| equation(desk.document()))).into(),
     };
-    let choose = move |_| {
-        if chosen {
-            suitability.insists.set(true);
-        }
-        if let Some(files) = file.as_deref().and_then(library::find)
-            && !chosen
-        {
-            opening::change_theory(app, files);
-            browser::focus_later("theory-0".to_owned());
-        }
-    };
+    let (chosen, title) = (theory.chosen, theory.title.clone());
     button()
         .class("theory-chip")
-        .id(id)
-        .attr("aria-pressed", move || (chosen && suitability.objection().is_none()).to_string())
-        .when(events::click, choose)
+        .id(format!("theory-{number}"))
+        .attr("aria-pressed", move || (chosen && app.fit.objection().is_none()).to_string())
+        .when(events::click, move |_| theory.choose(app, "theory-0"))
         .child(span().class("name").child(title))
         .child(equation)
 }

@@ -1,8 +1,6 @@
 //! Goes on with fits: gives the workers what they can do, and takes what they have found.
 
 use crate::app::{App, Lab};
-use view::browser;
-use view::panel::tabs;
 use view::views::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
@@ -24,7 +22,6 @@ fn work(app: App) {
     let step = Closure::once_into_js(move || {
         let end = js_sys::Date::now() + SLICE;
         let (more, here) = app.with(|lab| advance(lab, end)).unwrap_or_default();
-        let asked_for = app.fit_progress.with_untracked(Option::is_some);
         app.fit_progress.set(app.read_desk(|desk| desk.fits().progress()));
         app.publish(false, false);
         if more && here {
@@ -32,10 +29,6 @@ fn work(app: App) {
         }
         app.with(|lab| lab.fitting = false);
         if !more {
-            // The result appears below the button.
-            if asked_for && app.tab.get_untracked() == tabs::MEASURE {
-                browser::bring_to_top("fit-step");
-            }
             app.page.wake();
         }
     });

@@ -1,4 +1,5 @@
-//! Tab *Measure*: import and display of records, analysis cycle by cycle, and as its last step the fit.
+//! Tab *Measure*: fits, records and their analysis cycle by cycle, and the ways to another record. Without records, these ways
+//! come first.
 
 use crate::app::App;
 use crate::measuring::intake::{self, refuse};
@@ -12,12 +13,13 @@ use web_sys::{File, HtmlInputElement, HtmlTextAreaElement};
 /// Content of the tab.
 pub fn view(app: App) -> HtmlDiv {
     let words = app.words();
+    let has_records = memo(move || {
+        app.records.track();
+        app.read_desk(|desk| !desk.records().list().is_empty())
+    });
     div()
         .class("measurements")
         .child(film::acts::view(app))
-        .child(note(words.measurements_intro))
-        .child(ways_in(app))
-        .child(film::virtual_camera(app))
         .child(intake::view(app))
         // Not a live region: the line of messages has already announced it.
         .child(
@@ -26,10 +28,16 @@ pub fn view(app: App) -> HtmlDiv {
                 .child(text(move || app.record_refusal.get_clone().unwrap_or_default())),
         )
         .child(intake::dates_view(app))
-        .child(virtual_form::view(app))
+        .child(fit::view(app))
         .child(records::view(app))
         .child(cycles::view(app))
-        .child(fit::view(app))
+        .child(changing(move || match has_records.get() {
+            true => h3().id("another-record").child(words.another_record).into(),
+            false => View::from(note(words.measurements_intro)),
+        }))
+        .child(ways_in(app))
+        .child(film::virtual_camera(app))
+        .child(virtual_form::view(app))
 }
 
 /// Inputs for records: a file, a pasted table.
@@ -66,6 +74,7 @@ fn ways_in(app: App) -> View {
         .when(events::change, read_chosen);
     let samples = div()
         .class("chips")
+        .hidden(!fits_samples(app))
         .role("group")
         .attr("aria-label", words.sample_records)
         .title(words.sample_title)
@@ -78,6 +87,14 @@ fn ways_in(app: App) -> View {
         .child(textarea().id("paste-record").rows("6").attr("spellcheck", "false").autocomplete("off"))
         .child(button().class("primary").id("read-record").when(events::click, read).child(words.read_record));
     View::from((div().class("intake").child(film::acts::way_in(app)).child(open).child(input).child(samples), paste))
+}
+
+/// True if the sample records, which are of liquid columns, can be measurements of the open document: of a document that the page
+/// carries, if it is about such a column.
+fn fits_samples(app: App) -> bool {
+    let files = app.with(|lab| lab.sources.first().map(|file| file.name.clone())).flatten().unwrap_or_default();
+    let is_column = |file: &str| file.starts_with("theories/") || file.starts_with("tube") || file.starts_with("utube");
+    is_column(&files) || library::find(&files).is_none()
 }
 
 /// Adds a sample record.

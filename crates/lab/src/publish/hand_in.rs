@@ -37,7 +37,8 @@ pub async fn made(app: App, name: String) -> Option<(HandIn, usize)> {
     let (state, items, left_out) = app.read_desk(|desk| {
         let stored = desk.records().saved().len();
         let left_out = desk.records().list().len().saturating_sub(stored);
-        (desk.play().share(), desk::project_items(desk, now), left_out)
+        // Without the times of storage: the same work makes the same items.
+        (desk.play().share(), desk::project_items(desk, 0), left_out)
     });
     let work = Project { documents: files(app), state, items };
     let recomputation = Recomputation::begin(&work).ok()?;

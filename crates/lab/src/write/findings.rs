@@ -36,6 +36,7 @@ pub fn summary(app: App) -> String {
     }
     let nothing_runs = format!("{}.", words.nothing_runs);
     let state = match (runs, app.read(|_| true)) {
+        (true, _) if errors > 0 => words.text_runs_in_part,
         (true, _) => words.text_runs,
         (false, true) => words.text_waits,
         (false, false) => &nothing_runs,

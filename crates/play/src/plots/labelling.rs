@@ -5,14 +5,18 @@ use super::traces::Columns;
 use crate::values::symbol::symbol;
 use crate::{Basis, number, words};
 use program::{Curve, Drawing, Plot};
+use units::mathml::is_word;
 
 impl Basis {
-    /// Title of an axis from the names of its curves. For a single expression that is not a plain name, its label. For
+    /// Title of an axis from the names of its curves. For a single expression that is not a plain name, or is a word, its label. For
     /// several curves that all have labels, and not all plain names, the title is empty: the legend shows the labels,
     /// the axis only its unit.
     fn axis_title(&self, curves: &[(&Curve, &String)]) -> String {
         let is_name = |curve: &Curve| {
+            let is_plain = curve.expression.bytes().all(|letter| letter.is_ascii_alphabetic());
+            let is_labelled_word = curve.label.is_some() && is_plain && is_word(&curve.expression);
             curve.expression.chars().all(|letter| letter.is_alphanumeric() || "_'[].,".contains(letter))
+                && !is_labelled_word
         };
         if curves.iter().all(|(curve, _)| is_name(curve)) {
             return curves.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>().join(", ");

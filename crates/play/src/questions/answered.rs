@@ -4,7 +4,7 @@
 use crate::questions::given::{Answer, Attempt, Conditions, GradedAttempt};
 use crate::questions::grade::{Grade, Verdict};
 use crate::questions::grading::{Grading, verdict_of};
-use crate::{Basis, Changes, Course, OpenRun, Refusal, name_of, number};
+use crate::{Basis, Changes, Course, OpenRun, Refusal, name_of, number, words};
 use program::Program;
 
 /// Significant digits of the right answer.
@@ -25,6 +25,24 @@ pub struct AnswerView {
     pub found: bool,
     /// Answers that have been checked, in order.
     pub attempts: Vec<GradedAttempt>,
+    /// Limit of the attempts; `None` if the question has none.
+    pub limit: Option<Limit>,
+}
+
+/// Limited attempts at a question. An answer that cannot be read is no attempt.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limit {
+    /// Number of attempts that count.
+    pub allowed: usize,
+    /// Number of attempts that were made, perhaps on several devices, so that they can be more.
+    pub made: usize,
+}
+
+impl Limit {
+    /// Number of attempts that are left.
+    pub fn left(self) -> usize {
+        self.allowed.saturating_sub(self.made)
+    }
 }
 
 /// The user's answers, and the values hidden by open questions.
@@ -70,7 +88,20 @@ impl Answers {
             shown: answer.shown,
             found: self.is_found(basis, question, answer),
             attempts: answer.attempts.iter().map(|attempt| self.graded(basis, question, attempt)).collect(),
+            limit: self.limit(basis, question, answer),
         }
+    }
+
+    /// Limit of the attempts at a question.
+    fn limit(&self, basis: &Basis, question: usize, answer: &Answer) -> Option<Limit> {
+        let allowed = basis.program().questions.get(question)?.attempts? as usize;
+        let attempts = answer.attempts.iter().filter(|attempt| self.grade(basis, question, attempt).is_attempt());
+        Some(Limit { allowed, made: attempts.count() })
+    }
+
+    /// The computed grade of an attempt, or the stated one if none can be computed.
+    fn grade(&self, basis: &Basis, question: usize, attempt: &Attempt) -> Grade {
+        self.grading.grade(basis, question, attempt).unwrap_or(attempt.grade)
     }
 
     fn graded(&self, basis: &Basis, question: usize, attempt: &Attempt) -> GradedAttempt {
@@ -95,13 +126,15 @@ impl Answers {
         Some(computed.unwrap_or_else(|| verdict_of(stated, basis.language())))
     }
 
-    /// True if a right answer was given before it was shown.
+    /// True if a right answer was given before it was shown, and within the limit of the attempts.
     fn is_found(&self, basis: &Basis, question: usize, answer: &Answer) -> bool {
-        let grade = |attempt: &Attempt| self.grading.grade(basis, question, attempt).unwrap_or(attempt.grade);
-        let mut before = answer.attempts_before_shown().iter();
+        let allowed = basis.program().questions.get(question).and_then(|asked| asked.attempts);
+        let before = answer.attempts.iter().take(answer.shown.unwrap_or(usize::MAX));
+        let grades = before.map(|attempt| self.grade(basis, question, attempt)).filter(|grade| grade.is_attempt());
         // An answer may have been stored without its attempts.
         let is_stated = answer.attempts.is_empty() && answer.grade == Some(Grade::Correct) && answer.shown.is_none();
-        is_stated || before.any(|attempt| grade(attempt) == Grade::Correct)
+        is_stated
+            || grades.take(allowed.map_or(usize::MAX, |allowed| allowed as usize)).any(|grade| grade == Grade::Correct)
     }
 
     /// Stores the text in the field of a question as an unchecked answer.
@@ -113,8 +146,14 @@ impl Answers {
 
     /// Grades an answer: a number or arithmetic in the expected unit, or with its own units of the same dimension. An
     /// error after `±` is not graded, but compared with the actual error. The answer is stored with the question and with the
-    /// present values on which its grade depends.
+    /// present values on which its grade depends. If no attempt is left, it is neither graded nor stored, and the text says so.
     pub fn check(&mut self, run: OpenRun<'_>, question: usize, text: &str) -> (Verdict, Changes) {
+        let given = self.given.get(question);
+        if given.and_then(|answer| self.limit(run.basis, question, answer)).is_some_and(|limit| limit.left() == 0) {
+            let grade = given.and_then(|answer| answer.grade).unwrap_or(Grade::Unanswerable);
+            let text = words::no_attempts_left(run.basis.language()).to_owned();
+            return (Verdict { grade, text }, Changes::NONE);
+        }
         let conditions = self.grading.conditions(run.basis, run.course(), question);
         let verdict = self.grading.judge(run.basis, question, text, &conditions);
         let mut changes = self.type_text(question, text);

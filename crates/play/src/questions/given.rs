@@ -4,7 +4,7 @@ use crate::questions::grade::Grade;
 use serde::{Deserialize, Serialize};
 use units::number::compact as exact;
 
-/// Maximum number of attempts at a question that are kept: the latest ones.
+/// Maximum number of attempts at a question that are kept.
 const MOST_ATTEMPTS: usize = 100;
 
 /// Maximum length of a stored answer, in characters.
@@ -65,7 +65,7 @@ pub struct Answer {
     pub grade: Option<Grade>,
     /// Number of attempts before the right answer was shown; `None` if it was not shown.
     pub shown: Option<usize>,
-    /// All answers that have been checked, in order; of more than 100 the latest.
+    /// All answers that have been checked, in order, at most 100.
     pub attempts: Vec<Attempt>,
 }
 
@@ -73,12 +73,6 @@ impl Answer {
     /// Copy for a question whose right answer is another one now: without grade, attempts and the shown answer.
     pub(crate) fn unchecked(&self) -> Self {
         Self { typed: self.typed.clone(), ..Self::default() }
-    }
-
-    /// The attempts before the right answer was shown.
-    pub(crate) fn attempts_before_shown(&self) -> &[Attempt] {
-        let end = self.shown.unwrap_or(usize::MAX).min(self.attempts.len());
-        self.attempts.get(..end).unwrap_or_default()
     }
 
     /// The answer with the attempts that another device has stored: those that both have at the beginning, then the other's, then one's
@@ -128,13 +122,16 @@ impl Answer {
         attempts.iter().map(bounded).fold(empty, Self::with_attempt)
     }
 
-    /// The answer with one more attempt; of more than the maximum the latest.
+    /// The answer with one more attempt. Of more than the maximum the first is left out that is no attempt, so that a limited number
+    /// of attempts cannot be had again; without such ones the first of all.
     fn with_attempt(mut self, attempt: Attempt) -> Self {
         if self.attempts.last() != Some(&attempt) {
             self.attempts.push(attempt);
-            let extra = self.attempts.len().saturating_sub(MOST_ATTEMPTS);
-            self.attempts.drain(..extra);
-            self.shown = self.shown.map(|before| before.saturating_sub(extra));
+            if self.attempts.len() > MOST_ATTEMPTS {
+                let place = self.attempts.iter().position(|one| !one.grade.is_attempt()).unwrap_or(0);
+                self.attempts.remove(place);
+                self.shown = self.shown.map(|before| if place < before { before - 1 } else { before });
+            }
         }
         self
     }

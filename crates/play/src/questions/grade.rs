@@ -47,6 +47,11 @@ impl Grade {
         Self::CODES.iter().find(|(grade, _)| *grade == self).map_or("", |(_, code)| code)
     }
 
+    /// True for an answer that counts as an attempt: it could be read, and there is a right answer.
+    pub fn is_attempt(self) -> bool {
+        !matches!(self, Self::Unreadable | Self::Unanswerable)
+    }
+
     /// Parses the output of [`Grade::code`].
     pub fn from_code(code: &str) -> Option<Self> {
         Self::CODES.iter().find(|(_, own)| *own == code).map(|(grade, _)| *grade)

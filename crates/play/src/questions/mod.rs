@@ -6,8 +6,9 @@ pub(crate) mod given;
 mod grade;
 mod grading;
 mod marker;
+mod stored;
 
-pub use answered::{AnswerView, Answers};
+pub use answered::{AnswerView, Answers, Limit};
 pub use given::{Answer, Attempt, Conditions, GradedAttempt};
 pub use grade::{Grade, Verdict};
 pub use marker::Marker;

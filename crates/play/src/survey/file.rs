@@ -1,10 +1,9 @@
-//! The file with the answers to a survey, which `saved::survey` reads. It is written here because pages of a single
-//! simulation contain no writer of JSON.
+//! The file with the answers to a survey, which `saved::survey` reads.
 
 use super::{Survey, names};
 use crate::Basis;
+use handed::json::{self, Object};
 use program::SurveyKind;
-use std::fmt::Write;
 
 /// Version of the format.
 const VERSION: u32 = 1;
@@ -14,51 +13,30 @@ impl Survey {
     /// has no name, seat or time.
     pub fn file(&self, basis: &Basis) -> String {
         let program = basis.program();
-        let mut out = format!("{{\"meniscus survey\":{VERSION},\"document\":");
-        write_text(&mut out, &program.title);
-        out.push_str(",\"items\":[");
-        let mut separator = "\n";
-        for (index, (name, given)) in names(program).iter().zip(&self.given).enumerate() {
-            let Some(item) = program.survey.get(index) else { continue };
+        let names = names(program);
+        let items = names.iter().zip(&self.given).zip(&program.survey).enumerate();
+        let items = items.map(|(index, ((name, given), item))| {
             let text = program.survey_text(&program.language, index);
-            // Writing to a string cannot fail.
-            let _ = write!(out, "{separator}{{\"name\":\"{name}\",\"kind\":\"{}\",\"asked\":", item.kind.word());
-            write_text(&mut out, &text.asked);
-            if item.kind == SurveyKind::Text {
-                if !given.typed.is_empty() {
-                    out.push_str(",\"typed\":");
-                    write_text(&mut out, &given.typed);
-                }
+            let object = Object::default()
+                .with("name", json::text(name))
+                .with("kind", json::text(item.kind.word()))
+                .with("asked", json::text(&text.asked));
+            let object = if item.kind == SurveyKind::Text {
+                object.with_some("typed", (!given.typed.is_empty()).then(|| json::text(&given.typed)))
             } else {
-                out.push_str(",\"words\":[");
-                for (place, word) in text.words.iter().enumerate() {
-                    out.push_str(if place > 0 { "," } else { "" });
-                    write_text(&mut out, word);
-                }
-                let _ = write!(out, "],\"of\":{}", item.answers);
-                if let Some(chosen) = given.chosen {
-                    let _ = write!(out, ",\"chosen\":{}", chosen + 1);
-                }
-            }
-            out.push('}');
-            separator = ",\n";
-        }
-        out.push_str("\n]}\n");
-        out
+                object
+                    .with("words", json::list(text.words.iter().map(|word| json::text(word))))
+                    .with("of", item.answers.to_string())
+                    .with_some("chosen", given.chosen.map(|chosen| (chosen + 1).to_string()))
+            };
+            object.end()
+        });
+        // A line for each item, for those who look what they send.
+        let items = items.collect::<Vec<_>>().join(",\n");
+        let file = Object::default()
+            .with("meniscus survey", VERSION.to_string())
+            .with("document", json::text(&program.title))
+            .with("items", format!("[\n{items}\n]"));
+        file.end() + "\n"
     }
-}
-
-/// Writes a text as a JSON string.
-fn write_text(out: &mut String, text: &str) {
-    out.push('"');
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => out.extend(['\\', letter]),
-            control if control < ' ' => {
-                let _ = write!(out, "\\u{:04x}", u32::from(control));
-            }
-            other => out.push(other),
-        }
-    }
-    out.push('"');
 }

@@ -86,9 +86,14 @@ impl TimeLine {
 
     /// All kept runs, oldest first.
     pub fn kept(&self, basis: &Basis) -> Vec<KeptView> {
+        self.kept_beside(basis, self.course.parameters())
+    }
+
+    /// All kept runs, named by their differences to a run with these parameters (SI).
+    fn kept_beside(&self, basis: &Basis, parameters: &[f64]) -> Vec<KeptView> {
         let mut views: Vec<KeptView> = Vec::new();
         for kept in &self.kept {
-            let name = basis.recipe_name(&self.course, &kept.recipe);
+            let name = basis.recipe_name(&self.course, &kept.recipe, parameters);
             let same =
                 views.iter().filter(|view| view.name == name || view.name.starts_with(&format!("{name} ("))).count();
             let name = if same == 0 { name } else { format!("{name} ({})", same + 1) };
@@ -105,7 +110,9 @@ impl TimeLine {
             parameters: kept.recipe.last_parameters().to_vec(),
             state: kept.state.clone(),
         };
-        self.kept.iter().zip(self.kept(basis)).map(values).collect()
+        // A hand-in is compared by these names, whatever the present run is.
+        let own: Vec<f64> = basis.model().parameters.iter().map(|parameter| parameter.value).collect();
+        self.kept.iter().zip(self.kept_beside(basis, &own)).map(values).collect()
     }
 
     /// Recipes of the kept runs, oldest first.

@@ -11,7 +11,7 @@ pub const MOST_KEPT: usize = 5;
 pub struct KeptView {
     /// Identifier, unique while the document is open.
     pub id: u32,
-    /// Name from its differences to the document's own run: `b = 200 kg/s`.
+    /// Name from its differences to the present run: `b = 200 kg/s`.
     pub name: String,
     /// True if it is drawn.
     pub shown: bool,

@@ -91,6 +91,11 @@ impl TimeLine {
         &self.course
     }
 
+    /// True once a step of the run has been recorded.
+    pub fn has_run(&self) -> bool {
+        self.course.rows() > 1
+    }
+
     /// The run, for reading between its rows.
     pub(crate) fn course_between_rows(&mut self) -> &mut Course {
         &mut self.course

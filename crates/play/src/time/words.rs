@@ -73,17 +73,23 @@ impl Basis {
         number::fixed(unit.from_si(time), self.time_decimals(at), self.style())
     }
 
-    /// Name of a run, from its differences to the document's own run: `b = 200 kg/s, rk4`.
-    pub(super) fn recipe_name(&self, at: &Course, recipe: &Recipe) -> String {
+    /// Name of a run, from its differences to a run with the parameters `others` (SI): `b = 200 kg/s, rk4`. A run with these
+    /// parameters is named by its differences to the document's own run.
+    pub(super) fn recipe_name(&self, at: &Course, recipe: &Recipe, others: &[f64]) -> String {
         let model = self.model();
         let last = recipe.last_parameters();
+        let own: Vec<f64> = model.parameters.iter().map(|parameter| parameter.value).collect();
+        let is_same = recipe.parameter_sets().all(|set| set == others);
+        let others = if is_same { &own[..] } else { others };
         let mut parts: Vec<String> = Vec::new();
         for (index, parameter) in model.shown_parameters() {
-            let (Some(&first), Some(&value)) = (recipe.setup.parameters.get(index), last.get(index)) else {
+            let (Some(&first), Some(&value), Some(other)) =
+                (recipe.setup.parameters.get(index), last.get(index), others.get(index))
+            else {
                 continue;
             };
             let mut values = recipe.parameter_sets().filter_map(|set| set.get(index));
-            if values.any(|value| *value != parameter.value) {
+            if values.any(|value| value != other) {
                 let symbol = symbol(&parameter.name);
                 let now = self.parameter_value_text(index, value);
                 parts.push(if first == value {

@@ -347,3 +347,37 @@ fn all_attempts_are_kept() {
     let last = kept.last().map(|attempt| (attempt.typed.as_str(), attempt.stated, attempt.computed));
     assert_eq!((kept.len(), last), (100, Some(("4999 ", Grade::Wrong, None))), "without conditions as it was stated");
 }
+
+#[test]
+fn a_limit_of_attempts_is_kept() {
+    let limited = DOCUMENT.replace("answer: T_0 in [s] within 1 %", "answer: T_0 in [s] within 1 %\nattempts: 2");
+    let mut play = crate::support::open(&limited, &[]);
+    let limit = |play: &Play| play.answers().answer(play.basis(), 0).limit.map(|limit| (limit.allowed, limit.made));
+    assert_eq!(limit(&play), Some((2, 0)));
+    assert_eq!(play.answers().answer(play.basis(), 1).limit, None);
+    assert_eq!(judged(&mut play, 0, "9").0, Grade::Wrong);
+    // What cannot be read is no attempt, and pushes none out.
+    for number in 0..150 {
+        assert_eq!(judged(&mut play, 0, &format!("x{number}")).0, Grade::Unreadable);
+    }
+    assert_eq!(limit(&play), Some((2, 1)));
+    assert_eq!(judged(&mut play, 0, "8").0, Grade::Wrong);
+    assert_eq!(limit(&play), Some((2, 2)));
+    let (_, text) = judged(&mut play, 0, "3.755");
+    assert_eq!(text, "No attempts are left.");
+    let given = play.answers().answer(play.basis(), 0);
+    assert!(!given.found && given.attempts.iter().all(|attempt| attempt.typed != "3.755"));
+    assert_eq!(play.answers().score(play.basis()), Some(0.0));
+    // The next visit.
+    let saved = play.answers().saved(play.basis());
+    let mut again = crate::support::open(&limited, &[]);
+    for (name, answer) in &saved {
+        let stored = Answer::of_lines(&answer.lines()).unwrap();
+        assert_eq!(Answer::of_stored(&answer.stored()), stored);
+        again.change_answers(|answers, run| answers.restore(run, name, &stored));
+    }
+    assert_eq!(limit(&again), Some((2, 2)));
+    // A document without the limit counts all of them.
+    let mut free = crate::support::open(DOCUMENT, &[]);
+    assert_eq!(judged(&mut free, 0, "3.755").0, Grade::Correct);
+}

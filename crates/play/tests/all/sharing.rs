@@ -2,7 +2,9 @@
 
 use crate::support::{bits, go_on, set, utube};
 use figure::{Direction, Palette, Point, Settings};
-use play::{Extent, FactValue, Play, PlotId, Refusal};
+use handed::Number;
+use handed::fact::FactValue;
+use play::{Extent, Play, PlotId, Refusal};
 
 /// Opens the document again and restores what `play` shares.
 fn reopened(play: &Play) -> Play {
@@ -278,7 +280,7 @@ fn facts_follow_from_the_state() {
         run.iter().find(|fact| fact.item.ends_with(item) && fact.quantity == quantity).map(|fact| fact.value.clone())
     };
     let title = play.program().title.clone();
-    assert_eq!(value(&title, "parameter:b"), Some(FactValue::Number(200.0)));
+    assert_eq!(value(&title, "parameter:b"), Some(FactValue::Number(Number(200.0))));
     assert!(run.iter().any(|fact| fact.item != title && fact.quantity == "parameter:b"), "the kept run");
     assert!(answers.iter().any(|fact| fact.quantity == "grade:1"), "{answers:?}");
 }

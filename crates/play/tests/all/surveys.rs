@@ -54,7 +54,7 @@ fn the_file_is_the_same_in_every_language_and_has_nothing_else() {
             r#"","kind":"role","asked":"You are a","words":["student","teacher"],"of":2,"chosen":2},"#,
             r#"","kind":"scale","asked":"It was clear","words":["disagree","agree"],"of":5,"chosen":4},"#,
             r#"","kind":"choice","asked":"What helped most?","words":["drawing","plots"],"of":2},"#,
-            r#"","kind":"text","asked":"What would you change?","typed":"a \"b\"\u000a\\ñ\u0001"}"#,
+            r#"","kind":"text","asked":"What would you change?","typed":"a \"b\"\n\\ñ\u0001"}"#,
             "]}",
         ]
     );

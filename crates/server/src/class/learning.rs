@@ -25,7 +25,7 @@ impl Classes {
     }
 
     async fn learn(&self, news: News) -> Result<(), Fault> {
-        let News { classes, erased, seats, tokens, latest, settings, .. } = news;
+        let News { classes, teachers, erased, seats, tokens, latest, settings, .. } = news;
         for (class, seat) in erased {
             match seat {
                 0 => self.forget(|of, _| of.id() == class),
@@ -48,6 +48,10 @@ impl Classes {
                 class.settings.send_modify(|_| {});
             }
             class.tell_of_seats();
+        }
+        for class in teachers.iter().filter_map(|class| self.find(class)) {
+            let own = tokens.iter().filter(|(_, of, seat)| of == class.id() && *seat == 0);
+            self.keep_teachers(&class, &own.map(|(hash, ..)| *hash).collect::<Vec<_>>());
         }
         for (hash, class, seat) in tokens {
             let Some(class) = self.find(&class) else { continue };

@@ -5,13 +5,14 @@ use super::guard;
 use super::limits::Network;
 use super::state::{Peer, Server};
 use crate::class::{Class, Holder};
+use crate::codes::{self, Hash};
 use axum::extract::FromRequestParts;
 use axum::http::request::Parts;
 use axum::http::{StatusCode, header};
 use std::sync::Arc;
 
-/// The teacher of a class.
-pub struct Teacher(pub Arc<Class>);
+/// The teacher of a class, with the hash of the token.
+pub struct Teacher(pub Arc<Class>, pub Hash);
 
 /// A student whom the teacher has let in or not.
 pub struct Student(pub Arc<Class>, pub u32);
@@ -22,8 +23,12 @@ pub struct Someone(pub Arc<Class>);
 /// The network from which a request comes.
 pub struct Origin(pub Network);
 
+fn token(parts: &Parts) -> Option<&str> {
+    parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok()?.strip_prefix("Bearer "))
+}
+
 async fn holder(parts: &Parts, server: &Server) -> Result<Holder, Refusal> {
-    let token = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok()?.strip_prefix("Bearer "));
+    let token = token(parts);
     let holder = match token {
         Some(token) => server.classes.holder(token).await?,
         None => None,
@@ -40,7 +45,7 @@ impl FromRequestParts<Arc<Server>> for Teacher {
 
     async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Result<Self, Refusal> {
         match holder(parts, server).await? {
-            Holder::Teacher(class) => Ok(Self(class)),
+            Holder::Teacher(class) => Ok(Self(class, codes::hash(token(parts).unwrap_or_default()))),
             _ => Err(other()),
         }
     }

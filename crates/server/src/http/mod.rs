@@ -17,6 +17,7 @@ mod guard;
 mod health;
 mod holders;
 mod limits;
+mod log;
 mod mine;
 mod routes;
 mod state;
@@ -26,4 +27,5 @@ mod tally;
 mod teacher;
 
 pub use answer::LARGEST;
+pub use log::Log;
 pub use state::{Peer, Place, Server};

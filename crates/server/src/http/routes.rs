@@ -1,7 +1,7 @@
 //! The routes and the guards before them.
 
 use super::state::Server;
-use super::{guard, health, mine, stream, student, teacher};
+use super::{guard, health, log, mine, stream, student, teacher};
 use axum::Router;
 use axum::middleware;
 use axum::routing::{get, post};
@@ -31,6 +31,7 @@ impl Server {
             .route("/api/teacher/erase", post(teacher::erase))
             .route("/api/teacher/erase-unused", post(teacher::erase_unused))
             .route("/api/teacher/renew-code", post(teacher::renew_code))
+            .route("/api/teacher/revoke", post(teacher::revoke))
             .route("/api/teacher/events", get(stream::poll))
             .route("/api/teacher/stream", get(stream::of_teacher))
             .route("/api/teacher/hand-in/{seat}/{document}", get(teacher::hand_in))
@@ -44,6 +45,7 @@ impl Server {
             .merge(students)
             .merge(teacher)
             .layer(middleware::from_fn_with_state(self.clone(), guard::host))
+            .layer(middleware::from_fn_with_state(self.clone(), log::request))
             .with_state(self.clone())
     }
 }

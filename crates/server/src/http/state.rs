@@ -2,6 +2,7 @@
 
 use super::gate::Gate;
 use super::limits::Limits;
+use super::log::Log;
 use super::tally::Tallies;
 use crate::class::Classes;
 use crate::pages::Pages;
@@ -48,13 +49,14 @@ pub struct Server {
     pub(super) gate: Gate,
     pub(super) limits: Limits,
     pub(super) tallies: Tallies,
+    pub(super) log: Option<Log>,
 }
 
 impl Server {
-    /// A server of these classes.
-    pub fn new(classes: Classes, pages: Pages, place: Place) -> Arc<Self> {
+    /// A server of these classes. `log`: place of a line for each request.
+    pub fn new(classes: Classes, pages: Pages, place: Place, log: Option<Log>) -> Arc<Self> {
         let (gate, limits, tallies) = (Gate::default(), Limits::default(), Tallies::default());
-        Arc::new(Self { classes, pages, place, gate, limits, tallies })
+        Arc::new(Self { classes, pages, place, gate, limits, tallies, log })
     }
 
     /// Where and how the server is reached.

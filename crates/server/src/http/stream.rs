@@ -105,7 +105,7 @@ fn line(event: &EventRow) -> Value {
 /// The teachers of the class follow as many streams as they may; the page polls then.
 pub async fn of_teacher(
     State(server): State<Arc<Server>>,
-    Teacher(class): Teacher,
+    Teacher(class, token): Teacher,
     Origin(network): Origin,
     address: Uri,
 ) -> Result<Response, Refusal> {
@@ -114,8 +114,11 @@ pub async fn of_teacher(
     let mut receiver = class.follow_events();
     receiver.mark_changed();
     let from = (server, class, receiver, since, place);
-    Ok(events(stream::unfold(from, |(server, class, mut receiver, since, place)| async move {
-        if !changed(&mut receiver).await? {
+    Ok(events(stream::unfold(from, move |(server, class, mut receiver, since, place)| async move {
+        let has_changed = changed(&mut receiver).await?;
+        // The token may have been revoked.
+        server.classes.is_known(&token).then_some(())?;
+        if !has_changed {
             return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, since, place)));
         }
         sleep(PAUSE).await;
@@ -130,7 +133,7 @@ pub async fn of_teacher(
 /// News as one message instead of a stream, after a wait of at most `wait` seconds.
 pub async fn poll(
     State(server): State<Arc<Server>>,
-    Teacher(class): Teacher,
+    Teacher(class, _): Teacher,
     address: Uri,
 ) -> Result<Response, Refusal> {
     let (since, wait) = (number(&address, "since"), number(&address, "wait"));

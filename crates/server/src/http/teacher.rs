@@ -35,7 +35,7 @@ pub async fn exchange(State(server): State<Arc<Server>>, request: Request<Body>)
 }
 
 /// The class.
-pub async fn class(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Response {
+pub async fn class(State(server): State<Arc<Server>>, Teacher(class, _): Teacher) -> Response {
     let (documents, code) = (server.pages.names(), class.code());
     answer::json(json!({
         "title": class.title(), "code": code, "address": server.place.address, "qr": qr::svg(&server.place.join_address(&code)), "expires": class.expires(),
@@ -47,7 +47,7 @@ pub async fn class(State(server): State<Arc<Server>>, Teacher(class): Teacher) -
 /// Changes the settings.
 pub async fn set(
     State(server): State<Arc<Server>>,
-    Teacher(class): Teacher,
+    Teacher(class, _): Teacher,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let settings: Settings = answer::small(request).await?;
@@ -66,7 +66,7 @@ struct OfSeat {
 /// Lets a student in.
 pub async fn approve(
     State(server): State<Arc<Server>>,
-    Teacher(class): Teacher,
+    Teacher(class, _): Teacher,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let OfSeat { seat } = answer::small(request).await?;
@@ -77,7 +77,7 @@ pub async fn approve(
 /// Erases a seat.
 pub async fn erase(
     State(server): State<Arc<Server>>,
-    Teacher(class): Teacher,
+    Teacher(class, _): Teacher,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let OfSeat { seat } = answer::small(request).await?;
@@ -86,21 +86,27 @@ pub async fn erase(
 }
 
 /// Erases the seats that have handed in nothing.
-pub async fn erase_unused(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Result<Response, Refusal> {
+pub async fn erase_unused(State(server): State<Arc<Server>>, Teacher(class, _): Teacher) -> Result<Response, Refusal> {
     server.classes.erase_unused(&class).await?;
     Ok(answer::json(json!({})))
 }
 
 /// Gives the class another code.
-pub async fn renew_code(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Result<Response, Refusal> {
+pub async fn renew_code(State(server): State<Arc<Server>>, Teacher(class, _): Teacher) -> Result<Response, Refusal> {
     server.classes.renew_code(&class).await?;
+    Ok(answer::json(json!({})))
+}
+
+/// Revokes the tokens of all other devices of the teacher, and the links that nobody has used.
+pub async fn revoke(State(server): State<Arc<Server>>, Teacher(class, own): Teacher) -> Result<Response, Refusal> {
+    server.classes.revoke_teachers(&class, own).await?;
     Ok(answer::json(json!({})))
 }
 
 /// The hand-in of a seat for a document, as a file.
 pub async fn hand_in(
     State(server): State<Arc<Server>>,
-    Teacher(class): Teacher,
+    Teacher(class, _): Teacher,
     Path((seat, document)): Path<(u32, String)>,
 ) -> Result<Response, Refusal> {
     let Some(row) = class.seat(seat) else { return Err(refuse(StatusCode::NOT_FOUND, "missing")) };
@@ -112,7 +118,7 @@ pub async fn hand_in(
 }
 
 /// Answers to surveys.
-pub async fn sheets(State(server): State<Arc<Server>>, Teacher(class): Teacher) -> Result<Response, Refusal> {
+pub async fn sheets(State(server): State<Arc<Server>>, Teacher(class, _): Teacher) -> Result<Response, Refusal> {
     let sheets = server.classes.store().sheets(class.id().to_owned()).await?;
     Ok(answer::json(json!({ "sheets": sheets })))
 }

@@ -46,12 +46,25 @@ const classStorage = (server) => {
     keep(`waiting:${random}`, { seq, document, part, value });
   };
 
+  const hash = (text) => {
+    let [a, b] = [0x9e3779b9, 0x85ebca6b];
+    for (let at = 0; at < text.length; at++) {
+      const code = text.charCodeAt(at);
+      a = Math.imul(a ^ code, 2654435761); b = Math.imul(b ^ code, 1597334677);
+    }
+    return `${(a >>> 0).toString(36)}.${(b >>> 0).toString(36)}.${text.length}`;
+  };
+
   return {
     load, keep, drop, keys, dropAll, waiting,
     stores: () => stores,
-    /** Adds the parts of `document` that have changed since they were last added. `parts`: pairs of a name and a text; `hash` makes the stamp
-        of a text. Parts that are replaced by later forms are removed. False if nothing has changed. */
-    put(document, parts, hash) {
+    /** True if parts of `document` were added. */
+    knows: (document) => keys(`known:${document}\n`).length > 0,
+    /** All parts of `document` count as changed. */
+    forget: (document) => dropAll(`known:${document}\n`),
+    /** Adds the parts of `document` that have changed since they were last added. `parts`: pairs of a name and a text, the head last: its time
+        alone is no change. Parts that are replaced by later forms are removed. False if nothing has changed. */
+    put(document, parts) {
       const before = waiting();
       let seq = before.reduce((most, { seq }) => Math.max(most, seq), load("seq", 0));
       let changed = false;

@@ -1,7 +1,6 @@
 // Class page of a student: joins, keeps each part of a hand-in in the browser until the server has it on disk, and follows the class.
 (() => {
   "use strict";
-  const { parts, hash } = handInParts;
   const { config, words, make, button, bar } = classBar;
   const server = config.server || location.origin;
 
@@ -39,21 +38,15 @@
   const LEARNED = `learned:${config.document}`;
   const learns = () => Boolean(seat && config.document) && load(LEARNED, false) !== seat.seat;
   const learn = async () => {
-    if (!document.documentElement.dataset.class) return false;
+    if (!globalThis.classPage) return false;
     const response = await ask(`/api/hand-in/${encodeURIComponent(config.document)}`, { token: seat.token });
-    if (response.ok) dispatchEvent(new CustomEvent("class-hand-in-known", { detail: await response.text() }));
+    if (response.ok) globalThis.classPage.merge(await response.text());
     else if (response.status !== 404) return false;
-    storage.dropAll(`known:${config.document}\n`);
+    storage.forget(config.document);
     keep(LEARNED, seat.seat);
-    asked = 0;
+    rested = 0;
     byItself();
     return true;
-  };
-
-  const put = (text) => {
-    if (!storage.put(config.document, parts(text), hash)) return;
-    show();
-    send();
   };
 
   const LARGEST = 6 << 20;
@@ -125,29 +118,24 @@
   };
   addEventListener("online", () => { pause = FIRST; send(); });
 
-  // Asked by the page with each file before it is saved: a hand-in or answers to a survey are taken here, too. True if the file is
-  // not to be saved besides.
-  let quiet = false, asked = 0;
-  globalThis.classTakes = (name, blob) => {
-    if (!seat) return false;
-    if (name.endsWith(".survey")) blob.text().then(sheet);
-    if (!name.endsWith(".hand-in")) return false;
-    blob.text().then(put).catch(() => { problem = "refused"; show(); });
-    return quiet;
-  };
-  addEventListener("class-hand-in-made", (event) => put(event.detail));
-  // A page with a form for hand-ins hands in by itself when something was done, and every half minute.
-  const byItself = () => {
-    const [name, save] = ["hand-in-name", "save-hand-in"].map((id) => document.getElementById(id));
-    if (seat && document.documentElement.dataset.class === "ready" && Date.now() - asked > 15000) {
-      // The laboratory answers if its records, films, fits or answers have changed.
-      asked = Date.now();
-      dispatchEvent(new CustomEvent("class-hand-in-asked", { detail: seat.pseudonym }));
-    }
-    if (!seat || !name || !save || save.closest("dialog")?.open || save.getAttribute("aria-disabled")) return;
-    if (!name.value) { name.value = seat.pseudonym; name.dispatchEvent(new Event("input", { bubbles: true })); }
-    quiet = true;
-    try { save.click(); } finally { quiet = false; }
+  // A page hands in by itself when something was done, and every half minute. Then it rests ten times as long as it has computed.
+  // Where nothing has been answered or measured there is nothing to hand in, unless there was before.
+  const holdsWork = (parts) => parts.some(([name]) => name.startsWith("item:"));
+  let making = false, isWanted = false, rested = 0;
+  const byItself = async () => {
+    if (!seat || !globalThis.classPage || Date.now() < rested) return;
+    isWanted = making;
+    if (making) return;
+    const began = Date.now();
+    making = true;
+    try {
+      const parts = await globalThis.classPage.handIn(seat.pseudonym);
+      if (parts && seat && (holdsWork(parts) || storage.knows(config.document)) && storage.put(config.document, parts)) send();
+    } catch { problem = "refused"; }
+    making = false;
+    rested = isWanted ? 0 : Date.now() + 10 * (Date.now() - began);
+    show();
+    if (isWanted) byItself();
   };
   let soon = 0;
   for (const kind of ["click", "change", "keyup"]) {
@@ -160,8 +148,9 @@
   setInterval(byItself, 30000);
   addEventListener("visibilitychange", () => { if (document.hidden) byItself(); else { pause = FIRST; send(); follow(); } });
 
-  // Answers to a survey go at a random time within ten minutes, without the seat.
-  const sheet = (text) => {
+  // The page gives answers to a survey. They go at a random time within ten minutes, without the seat.
+  globalThis.classSurvey = (text) => {
+    if (!seat) return;
     const key = `sheet:${config.document}`;
     if (load(key, null)?.sent) return;
     // The server knows by the number that it has the answers already, when they are sent again because its reply was lost.

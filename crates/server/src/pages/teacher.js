@@ -107,6 +107,10 @@
     built = "";
     show();
   };
+  const revoke = async () => {
+    if (!confirm(words().revoke_sure)) return;
+    if (!(await ask("/api/teacher/revoke", { body: "{}" })).ok) failed();
+  };
   const eraseUnused = async () => {
     if (confirm(words().erase_unused_sure)) await ask("/api/teacher/erase-unused", { body: "{}" });
   };
@@ -182,7 +186,8 @@
       make("span", {}, `${own.address} `, make("b", { textContent: about.address }), ` ${own.with} `, make("b", { className: "key", textContent: about.code })),
       button(own.qr, large), dashboard, count, status, first,
       fold("class-settings", own.settings, innerWidth >= 760, make("div", {}, ...choices, make("label", {}, own.pace_at, pace),
-        make("label", {}, own.close_in, minutes), button(own.new_code, () => renew().catch(failed)), button(own.sheets, () => sheets().catch(failed)))),
+        make("label", {}, own.close_in, minutes), button(own.new_code, () => renew().catch(failed)),
+        button(own.revoke, () => revoke().catch(failed)), button(own.sheets, () => sheets().catch(failed)))),
       fold("class-seats", own.seats, false, button(own.erase_unused, () => eraseUnused().catch(failed)), list));
   };
   const start = async () => {

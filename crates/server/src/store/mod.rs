@@ -135,6 +135,22 @@ impl Store {
         of!(self, set_code(class, code))
     }
 
+    /// Revokes the tokens of the teacher of a class but the one of this hash, and the links that nobody has used.
+    ///
+    /// # Errors
+    /// The store cannot be written.
+    pub async fn revoke_teachers(&self, class: String, but: Hash) -> Result<(), Fault> {
+        of!(self, revoke_teachers(class, but))
+    }
+
+    /// Erased seats with their classes; seat 0 is the class itself, of which nothing else is left.
+    ///
+    /// # Errors
+    /// The store cannot be read.
+    pub async fn erased(&self) -> Result<Vec<(String, u32)>, Fault> {
+        of!(self, erased())
+    }
+
     /// Lets a student in.
     ///
     /// # Errors

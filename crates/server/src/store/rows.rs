@@ -106,6 +106,8 @@ pub struct News {
     pub cursor: Cursor,
     /// Classes, also those that have changed otherwise.
     pub classes: Vec<ClassRow>,
+    /// Classes of which `tokens` has all tokens of teachers.
+    pub teachers: Vec<String>,
     /// Erased seats with their class; seat 0 is the class.
     pub erased: Vec<(String, u32)>,
     /// Seats that are new or approved, with their class.

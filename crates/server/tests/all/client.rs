@@ -2,13 +2,13 @@
 
 use serde_json::{Value, json};
 use server::class::{Class, Classes};
-use server::http::{Place, Server};
+use server::http::{Log, Place, Server};
 use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::Location;
 use server::{Store, listen, now};
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use tokio::runtime::Runtime;
 use units::Language;
@@ -19,6 +19,8 @@ pub struct Running {
     pub address: SocketAddr,
     pub server: Arc<Server>,
     pub class: Arc<Class>,
+    /// Log of the server.
+    pub log: Lines,
     /// Runs until the server is dropped.
     _runtime: Runtime,
 }
@@ -48,6 +50,26 @@ pub fn documents() -> Vec<Document> {
     vec![one("tube.md"), one("a b.md")]
 }
 
+/// Lines of a log.
+#[derive(Clone, Debug, Default)]
+pub struct Lines(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Lines {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.lock().unwrap().write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Lines {
+    pub fn text(&self) -> String {
+        String::from_utf8(self.0.lock().unwrap().clone()).unwrap()
+    }
+}
+
 impl Running {
     pub fn start(store: &Location) -> Self {
         Self::start_at(store, place(), "127.0.0.1:0")
@@ -55,12 +77,13 @@ impl Running {
 
     pub fn start_at(store: &Location, place: Place, address: &str) -> Self {
         let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_all().build().unwrap();
+        let log = Lines::default();
         let (server, class, address) = runtime.block_on(async {
             let store = Store::open(store).await.unwrap();
             let classes = Classes::open(store, Language::English, now()).await.unwrap();
             let class = classes.latest_or_begin("Tubes", 30, now()).await.unwrap();
             let pages = Pages::new(documents(), &documents()[0].html, POLICY, Language::English);
-            let server = Server::new(classes, pages, place);
+            let server = Server::new(classes, pages, place, Some(Log::new(log.clone())));
             let listener = tokio::net::TcpListener::bind(address).await.unwrap();
             let address = listener.local_addr().unwrap();
             tokio::spawn(listen::serve(listener, server.routes(), None));
@@ -68,7 +91,7 @@ impl Running {
             tokio::spawn(async move { follower.classes().follow().await });
             (server, class, address)
         });
-        Self { address, server, class, _runtime: runtime }
+        Self { address, server, class, log, _runtime: runtime }
     }
 
     pub fn get(&self, path: &str, token: &str) -> Answer {

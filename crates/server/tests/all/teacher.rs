@@ -12,6 +12,7 @@ cases!(
     late_joiners_wait_for_the_teacher,
     others_answers_are_seen_after_ones_own_and_only_if_shown,
     settings_outlive_the_server,
+    a_teacher_revokes_other_devices_and_unused_links,
 );
 
 fn token(joined: &Value) -> &str {
@@ -66,6 +67,58 @@ fn a_new_code_closes_the_former_one_and_keeps_the_seats(storage: &Storage) {
     let code = running.class.code();
     drop(running);
     assert_eq!(Running::start(&storage.location).class.code(), code);
+}
+
+fn a_teacher_revokes_other_devices_and_unused_links(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let (own, other, joined, link) = (running.teacher(), running.teacher(), running.join(), running.link());
+    let status = |token: &str| running.get("/api/teacher/class", token).status;
+    assert_eq!([status(&own), status(&other)], [200; 2]);
+    assert_eq!(running.post("/api/teacher/revoke", token(&joined), &json!({})).status, 403);
+    running.post("/api/teacher/revoke", &own, &json!({})).ok();
+    assert_eq!([status(&own), status(&other)], [200, 401]);
+    let exchange = |link: &str| running.post("/api/teacher/exchange", "", &json!({ "link": link }));
+    assert_eq!(exchange(&link).why(), (403, "link".to_owned()));
+    running.get("/api/state", token(&joined)).ok();
+    // A new link works, and what was revoked stays so at the next start.
+    let third = running.teacher();
+    assert_eq!(status(&third), 200);
+    drop(running);
+    let running = Running::start(&storage.location);
+    let status = |token: &str| running.get("/api/teacher/class", token).status;
+    assert_eq!([status(&own), status(&other), status(&third)], [200, 401, 200]);
+}
+
+/// A line for each request, with nothing that tells who it was or what they have answered.
+#[test]
+fn the_log_has_routes_and_no_answers_names_or_secrets() {
+    let storage = Storage::file();
+    let running = Running::start(&storage.location);
+    let joined = running.join();
+    running.post("/api/events", token(&joined), &json!({ "events": parts(1, "4.56789", "correct") })).ok();
+    running.get("/d/tube.md", "");
+    running.get("/api/hand-in/tube.md", token(&joined)).ok();
+    running.get("/mallory?who=me", "");
+    running.send("BREW", "/health", "", "");
+    let log = running.log.text();
+    let lines: Vec<Value> = log.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let said: Vec<_> = lines.iter().map(|line| json!([line["method"], line["route"], line["status"]])).collect();
+    assert_eq!(
+        said,
+        [
+            json!(["POST", "/api/join", 200]),
+            json!(["POST", "/api/events", 200]),
+            json!(["GET", "/d/{name}", 200]),
+            json!(["GET", "/api/hand-in/{document}", 200]),
+            json!(["GET", null, 404]),
+            json!(["other", "/health", 405]),
+        ]
+    );
+    assert!(lines.iter().all(|line| line.as_object().unwrap().len() == 5 && line["ms"].is_u64()), "{log}");
+    let pseudonym = joined["pseudonym"].as_str().unwrap();
+    for secret in ["4.56789", "tube", "127.0.0.1", "mallory", token(&joined), &running.class.code(), pseudonym] {
+        assert!(!log.contains(secret), "{secret}: {log}");
+    }
 }
 
 fn seats_without_work_are_erased_and_no_others(storage: &Storage) {

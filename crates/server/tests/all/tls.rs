@@ -29,7 +29,7 @@ async fn connections_are_encrypted_with_a_certificate() {
     let store = Store::open(&Location::File(folder.path().join("class.sqlite"))).await.unwrap();
     let classes = Classes::open(store, Language::English, now()).await.unwrap();
     let pages = Pages::new(documents(), "", POLICY, Language::English);
-    let server = Server::new(classes, pages, Place { is_encrypted: true, ..place() });
+    let server = Server::new(classes, pages, Place { is_encrypted: true, ..place() }, None);
     let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
     let address = listener.local_addr().unwrap();
     tokio::spawn(listen::serve(listener, server.routes(), Some(tls)));

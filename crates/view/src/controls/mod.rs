@@ -11,15 +11,19 @@ use crate::app::App;
 use crate::browser;
 use crate::panel::readouts::followed;
 use crate::pieces::symbols::name_and_symbol;
+use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
 use crate::{page::everything, scene::drawings};
 use play::{MethodView, ParameterGroup, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
-/// Maximum number of presets with a button each. More presets are offered as one list for each group.
-const CHIPS: usize = 4;
+/// Maximum number of presets of a group with a button each. More are offered as a list.
+const CHIPS: usize = 5;
 
-/// The card with the main parameters and the presets.
+/// Maximum number of parameters in sight without *More*.
+const MAIN: usize = 3;
+
+/// The card with the main parameters and the first group of presets.
 pub fn view(app: App) -> HtmlSection {
     let words = app.words();
     let parameters = div()
@@ -28,13 +32,20 @@ pub fn view(app: App) -> HtmlSection {
         .each(app.read(|play| play.basis().sizes()), |size| sizes::control(app, size))
         .each(main_groups(app).into_iter().enumerate(), |group| parameter_group(app, "main-group", group));
     let controls = part("controls", "controls card", words.controls).child(buttons::view(app));
-    let values = View::from((parameters, drawings::view(app), presets(app)));
+    let values = View::from((parameters, drawings::view(app), presets(app, false)));
     controls.child(seat::view(app)).child(lockable(app, values))
+}
+
+/// Indices of the parameters in sight without *More*.
+fn main_parameters(app: App) -> Vec<usize> {
+    let mut main = app.read(|play| play.program().main_parameters());
+    main.truncate(MAIN);
+    main
 }
 
 /// The main parameters under the headings of the document. Without headings if the document names them in another order.
 fn main_groups(app: App) -> Vec<ParameterGroup> {
-    let main = app.read(|play| play.program().main_parameters());
+    let main = main_parameters(app);
     let groups = groups_of(app, |index| main.contains(&index));
     let in_order = groups.iter().flat_map(|group| &group.parameters).map(|parameter| parameter.index);
     if in_order.eq(main.iter().copied()) {
@@ -56,19 +67,23 @@ fn groups_of(app: App, wanted: impl Fn(usize) -> bool) -> Vec<ParameterGroup> {
     groups
 }
 
-/// The card with the parameters that are not among the main ones; empty if there are none.
+/// The card with the parameters and presets that are not in sight without *More*; empty if there are none.
 pub fn further(app: App) -> View {
-    let main = app.read(|play| play.program().main_parameters());
+    let main = main_parameters(app);
     let groups = groups_of(app, |index| !main.contains(&index));
-    if groups.is_empty() {
+    let has_presets = app.read(|play| play.controls().presets(play.basis(), play.course()).len() > 1);
+    if groups.is_empty() && !has_presets {
         return View::new();
     }
     let words = app.words();
-    let block = div()
-        .class("block")
-        .child(div().class("block-head").child(h3().child(words.further_parameters)))
-        .each(groups.into_iter().enumerate(), |group| parameter_group(app, "parameter-group", group));
-    part("further", "controls card", words.further_parameters).child(lockable(app, block.into())).into()
+    let parameters = (!groups.is_empty()).then(|| {
+        div()
+            .class("block")
+            .child(div().class("block-head").child(h3().child(words.further_parameters)))
+            .each(groups.into_iter().enumerate(), |group| parameter_group(app, "parameter-group", group))
+    });
+    let content = View::from((parameters.map(View::from), presets(app, true)));
+    part("further", "controls card", words.further_parameters).child(lockable(app, content)).into()
 }
 
 /// Button that restores the values of the document. Hidden while they are set.
@@ -134,14 +149,16 @@ pub fn state_and_method(app: App) -> HtmlSection {
     }
 }
 
-fn presets(app: App) -> View {
+/// The first group of presets, or the `further` ones.
+fn presets(app: App, further: bool) -> View {
     let words = app.words();
     let now = memo(move || {
         app.changes.parameters.track();
         app.read(|play| play.controls().presets(play.basis(), play.course()))
     });
-    let groups = now.get_clone_untracked();
-    if groups.is_empty() {
+    let groups = now.get_clone_untracked().into_iter().enumerate();
+    let mut groups = groups.filter(|(number, _)| (*number > 0) == further).peekable();
+    if groups.peek().is_none() {
         return View::new();
     }
     let selected = move |index: usize| {
@@ -153,21 +170,26 @@ fn presets(app: App) -> View {
     let apply = move |index: usize| {
         refusal.set(app.attempt(|play| play.change_settings(|settings| settings.apply_preset(index))))
     };
-    let choose = |preset: PresetView| {
+    let choose = |bar: Toolbar, (place, preset): (usize, PresetView)| {
         let index = preset.index;
         button()
             .class("chip")
             .title(preset.description)
+            .tabindex(move || bar.stop(place))
+            .when(events::focus, move |_| bar.enter(place))
             .attr("aria-pressed", move || selected(index).to_string())
             .when(events::click, move |_| apply(index))
             .child(preset.name)
     };
-    let many = groups.iter().map(|group| group.presets.len()).sum::<usize>() > CHIPS;
     let group = |(number, group): (usize, PresetGroup)| -> View {
         let id = format!("presets-{number}");
         let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
-        if !many {
-            return headed("preset-group", id, name).child(div().class("chips").each(group.presets, choose)).into();
+        if group.presets.len() <= CHIPS {
+            let bar = Toolbar::new();
+            let chips = div().class("chips").role("toolbar").attr("aria-labelledby", id.clone());
+            let chips = chips.when(events::keydown, Toolbar::turn);
+            let chips = chips.each(group.presets.into_iter().enumerate(), |preset| choose(bar, preset));
+            return headed("preset-group", id, name).child(chips).into();
         }
         let indices: Vec<usize> = group.presets.iter().map(|preset| preset.index).collect();
         let now = move || indices.iter().find(|index| selected(**index)).map(usize::to_string).unwrap_or_default();
@@ -189,7 +211,7 @@ fn presets(app: App) -> View {
     div()
         .class("block presets")
         .child(h3().class("visually-hidden").child(words.presets))
-        .each(groups.into_iter().enumerate(), group)
+        .each(groups, group)
         .child(refusal_of(refusal))
         .into()
 }

@@ -161,12 +161,21 @@ fn number(app: App, first: ParameterView) -> HtmlDiv {
         (None, true) => words.restarts.to_owned(),
         (None, false) => String::new(),
     };
+    // Beside a slider the number is read more often than it is typed.
+    let value: View = match slider {
+        Some(_) => {
+            let reading = text(move || get(|view| view.text.clone()));
+            let reading = span().class("reading").attr("aria-hidden", "true").child(reading);
+            span().class("editing").child(reading).child(field.view()).into()
+        }
+        None => field.view().into(),
+    };
     let slides = if slider.is_some() { " with-slider" } else { "" };
     let changed = move || now.with(|view| view.as_ref().is_some_and(|view| !view.is_default));
     div()
         .class(move || format!("parameter{slides}{}", if changed() { " changed" } else { "" }))
         .child(label().r#for(id.clone()).title(title).child(name_and_symbol(&first.label, &first.name)))
-        .child(with_unit(field.view(), first.unit))
+        .child(span().class("quantity").child(value).child(unit_of(first.unit)))
         .maybe(slider)
         .child(refusal_of(error).id(format!("{id}-error")))
 }

@@ -1,5 +1,6 @@
 //! The page around stage and panel: header, messages, keys, and what applies to the whole page.
 
+pub mod class;
 pub mod everything;
 pub mod handing;
 pub mod header;

@@ -6,7 +6,8 @@ use crate::views::*;
 use crate::{browser, frame, page::keys, page::messages, page::projector, panel::worksheet, stage};
 use play::Embedding;
 use units::Language;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Event, HtmlElement, Node};
 
 /// Options in the address of the page.
 pub fn embedding() -> Embedding {
@@ -41,9 +42,24 @@ pub fn prepare(app: App) {
     projector::follow(app);
     browser::on_match_change("(prefers-color-scheme: dark)", move || Theme::remembered().apply(app));
     browser::on_match_change(stage::NARROW, move || app.narrow.set(browser::matches(stage::NARROW)));
+    browser::listen("pointerdown", close_menus);
     frame::start(app);
     worksheet::listen(app);
     keys::listen(app);
+}
+
+/// Closes an open menu by a press outside of it. Some browsers give a pressed button no focus, so that a menu cannot be left.
+fn close_menus(event: &Event) {
+    let pressed: Option<Node> = event.target().and_then(|target| target.dyn_into().ok());
+    let open = document()
+        .query_selector(".head-menu-place > [aria-expanded=true], .tools > [aria-expanded=true]")
+        .ok()
+        .flatten();
+    if let Some(button) = open.and_then(|button| button.dyn_into::<HtmlElement>().ok())
+        && !button.parent_element().is_some_and(|menu| menu.contains(pressed.as_ref()))
+    {
+        button.click();
+    }
 }
 
 /// The page. Its content is rebuilt for another document or language.

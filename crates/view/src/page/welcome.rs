@@ -2,9 +2,9 @@
 //! does, so that nothing moves when the laboratory takes over.
 
 use crate::app::App;
+use crate::browser;
 use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
-use crate::{browser, pieces::icons};
 
 /// File name of the document with which the laboratory opens.
 pub const OPENING: &str = "tube.md";
@@ -12,14 +12,8 @@ pub const OPENING: &str = "tube.md";
 /// Id of the button that begins with a film.
 pub const FILM: &str = "film-own";
 
-/// Id of the button that opens the published simulation.
-pub const PUBLISHED: &str = "published";
-
 /// Id of the button that begins the guided start.
 pub const GUIDE: &str = "guide";
-
-/// Id of the button of the first visit that declines the guided start.
-pub const DECLINE: &str = "guide-decline";
 
 /// Storage key that is set once the guided start has been offered.
 const OFFERED: &str = "guide";
@@ -38,12 +32,9 @@ pub fn end_first_visit() {
 pub fn line(app: App, is_first_visit: bool, press: impl Fn(&'static str) + Clone + 'static) -> HtmlDiv {
     let words = app.words();
     let guide = button().class(if is_first_visit { "action" } else { "quiet" }).child(words.guide);
-    let decline = button().class("icon").called(words.guide_decline).child(icons::cross());
     let film =
         button().class("quiet").child(words.film_own).child(span().class("film-steps").child(words.film_own_steps));
-    let published = button().class("quiet").child(words.published);
-    let declined = is_first_visit.then_some((DECLINE, decline));
-    let buttons = [(GUIDE, guide)].into_iter().chain(declined).chain([(FILM, film), (PUBLISHED, published)]);
+    let buttons = [(GUIDE, guide), (FILM, film)].into_iter();
     let bar = Toolbar::new();
     let place = |(place, (id, button)): (usize, (&'static str, HtmlButton))| {
         let press = press.clone();

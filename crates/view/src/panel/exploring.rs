@@ -1,5 +1,5 @@
-//! Tab *Explore*: main parameters, presets and values; folded, all other parameters, state and method, and the recorded
-//! run as a table.
+//! Tab *Explore*: three parameters, a row of presets and three values; folded, all others, state and method, and the recorded run
+//! as a table.
 
 use crate::app::App;
 use crate::views::*;
@@ -15,7 +15,7 @@ pub fn view(app: App) -> HtmlDiv {
         .class("exploring")
         .maybe((embedding.locked && adjusts).then(|| note(app.words().locked)))
         .maybe(adjusts.then(|| controls::view(app)))
-        .maybe(reads.then(|| readouts::view(app)))
+        .maybe(reads.then(|| readouts::main(app)))
         .child(more(app, adjusts, reads))
 }
 
@@ -35,7 +35,7 @@ fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
             adjusts.then(|| {
                 View::from((controls::further(app), controls::lockable(app, controls::state_and_method(app).into())))
             }),
-            reads.then(|| View::from(recorded(app))),
+            reads.then(|| View::from((readouts::further(app), recorded(app)))),
         ))
     };
     details

@@ -2,7 +2,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use play::Grade;
+use play::{Grade, Limit};
 use web_sys::{HtmlInputElement, SubmitEvent};
 
 /// The question with this index, once the questions that it waits for are answered.
@@ -47,10 +47,16 @@ fn open(app: App, index: usize) -> View {
     let (field, number) = (format!("answer-{index}"), index + 1);
     let mut input = short_field(field.clone());
     let node: HtmlInputElement = input.node();
+    let limit = create_signal(given.limit);
+    let is_used_up = move || limit.get().is_some_and(|limit| limit.left() == 0);
     let check = move |event: SubmitEvent| {
         event.prevent_default();
+        if is_used_up() {
+            return;
+        }
         let answer = node.value();
         verdict.set(app.act(|play| Some(play.change_answers(|answers, run| answers.check(run, index, &answer)))));
+        limit.set(app.read(|play| play.answers().answer(play.basis(), index)).limit);
     };
     let grade = move || {
         verdict.with(|verdict| match verdict.as_ref().map(|verdict| verdict.grade) {
@@ -80,6 +86,7 @@ fn open(app: App, index: usize) -> View {
         .placeholder(words.answer)
         .attr("aria-describedby", format!("prompt-{index} verdict-{index}"))
         .attr("aria-invalid", move || (grade() == "unreadable").then_some("true"))
+        .attr("readonly", move || is_used_up().then_some("true"))
         .prop("value", given.typed)
         .when(events::input, move |event| {
             verdict.set(None);
@@ -92,7 +99,13 @@ fn open(app: App, index: usize) -> View {
         .when(events::submit, check)
         .child(label().r#for(field).class("visually-hidden").child(name))
         .child(with_unit(input, unit))
-        .child(button().class("primary").r#type("submit").child(words.check))
+        .child(
+            button()
+                .class("primary")
+                .r#type("submit")
+                .attr("aria-disabled", move || is_used_up().then_some("true"))
+                .child(words.check),
+        )
         .child(button().class("quiet").when(events::click, reveal).child(words.reveal));
     let verdict = p().class("verdict").role("status").id(format!("verdict-{index}")).attr("data-grade", grade);
     section()
@@ -102,11 +115,29 @@ fn open(app: App, index: usize) -> View {
         .child(div().class("prompt").id(format!("prompt-{index}")).inner_html(asked.prompt))
         .child(setup(app, index))
         .child(form)
+        .maybe(given.limit.map(|_| attempts(app, index, limit)))
         .child(verdict.child(text(reported)))
         .child(p().class("revealed").role("status").child(changing(answer)))
         .maybe(explanation)
         .maybe(hint)
         .into()
+}
+
+/// Number of attempts that are left at a question with a limit.
+fn attempts(app: App, index: usize, limit: Signal<Option<Limit>>) -> HtmlP {
+    let words = app.words();
+    let left = move || {
+        let Some(limit) = limit.get() else { return String::new() };
+        let sentence = match limit.left() {
+            _ if limit.made == 0 => words.attempts_allowed,
+            0 if limit.made > limit.allowed => words.attempts_beyond,
+            0 => words.attempts_used,
+            _ => words.attempts_left,
+        };
+        let numbers = [("{allowed}", limit.allowed), ("{left}", limit.left()), ("{made}", limit.made)];
+        numbers.iter().fold(sentence.to_owned(), |text, (name, number)| text.replace(name, &number.to_string()))
+    };
+    p().class("note").role("status").id(format!("attempts-{index}")).child(text(left))
 }
 
 /// Values for which the question asks, assigned to the seat or assumed, and a button that sets them.

@@ -8,21 +8,27 @@ use crate::pieces::steady::steady;
 use crate::views::*;
 use play::{Play, Readout, ReadoutKind};
 
-/// The readouts: first those that change with time, then constant ones.
-pub fn view(app: App) -> HtmlSection {
-    let words = app.words();
-    let first: Vec<Readout> = app.read(|play| play.readouts());
-    let mut readouts = part("readouts", "readouts card", words.readouts);
+/// Maximum number of readouts in sight without *More*.
+const MAIN: usize = 3;
+
+/// The readouts that are always in sight: the first that change with time, or constant ones if too few do. None of them is hidden
+/// by a question.
+pub fn main(app: App) -> HtmlSection {
+    let (main, _) = divided(app);
+    let mut readouts = part("readouts", "readouts card", app.words().readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
-    // The independent variable is shown by the clock.
-    let list = |varies: bool, title: &'static str| {
-        let belongs = |readout: &Readout| readout.varies == varies && readout.kind != ReadoutKind::Independent;
-        let rows: Vec<(usize, Readout)> =
-            first.iter().cloned().enumerate().filter(|(_, readout)| belongs(readout)).collect();
-        (!rows.is_empty()).then(|| {
-            let rows = in_portions(rows, move |(index, readout)| row(app, now, *index, readout).into());
-            div().class("values").child(h3().child(title)).child(dl().child(rows))
-        })
+    readouts.child(div().class("values").child(list(app, now, main)))
+}
+
+/// The others: first those that change with time, then constant ones.
+pub fn further(app: App) -> HtmlSection {
+    let words = app.words();
+    let (_, others) = divided(app);
+    let mut readouts = part("further-readouts", "readouts card", words.readouts);
+    let now = followed(app, &readouts.node(), |play| play.readouts());
+    let (changing, constant): (Vec<_>, Vec<_>) = others.into_iter().partition(|(_, readout)| readout.varies);
+    let titled = |title: &'static str, rows: Vec<(usize, Readout)>| {
+        (!rows.is_empty()).then(|| div().class("values").child(h3().child(title)).child(list(app, now, rows)))
     };
     let hides = app.read(|play| play.basis().hides_values());
     let shown = input()
@@ -35,9 +41,29 @@ pub fn view(app: App) -> HtmlSection {
             app.act(|play| play.change_answers(|answers, _| answers.show_hidden(is_checked(&event))))
         });
     readouts
-        .maybe(list(true, words.changing))
-        .maybe(list(false, words.constants))
+        .maybe(titled(words.changing, changing))
+        .maybe(titled(words.constants, constant))
         .maybe(hides.then(|| switch(shown, words.show_hidden)))
+}
+
+/// The readouts with their places: those in sight without *More*, and the others.
+fn divided(app: App) -> (Vec<(usize, Readout)>, Vec<(usize, Readout)>) {
+    let all: Vec<Readout> = app.read(|play| play.readouts());
+    // The independent variable is shown by the clock.
+    let rows = all.into_iter().enumerate().filter(|(_, readout)| readout.kind != ReadoutKind::Independent);
+    let (mut main, mut others): (Vec<_>, Vec<_>) = rows.partition(|(_, readout)| readout.varies && !readout.hidden);
+    let beyond: Vec<_> = main.drain(MAIN.min(main.len())..).collect();
+    others.splice(0..0, beyond);
+    while main.len() < MAIN
+        && let Some(place) = others.iter().position(|(_, readout)| !readout.hidden)
+    {
+        main.push(others.remove(place));
+    }
+    (main, others)
+}
+
+fn list(app: App, now: ReadSignal<Vec<Readout>>, rows: Vec<(usize, Readout)>) -> HtmlDl {
+    dl().child(in_portions(rows, move |(index, readout)| row(app, now, *index, readout).into()))
 }
 
 /// Signal with a value that changes with time, updated in the same frame as the curves. While the run plays it is
@@ -64,9 +90,8 @@ pub fn followed<T: Clone + Default + PartialEq>(
     *now
 }
 
-/// A row: name and symbol, the member fields, the value.
+/// A row: name and symbol, the member fields, the value. A value that a question asks for is not listed.
 fn row(app: App, now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout) -> HtmlDiv {
-    let why = app.words().hidden_why;
     let hidden = move || now.with(|list| list.get(index).is_some_and(|readout| readout.hidden));
     let get =
         move |part: fn(&Readout) -> &String| now.with(|list| list.get(index).map(part).cloned().unwrap_or_default());
@@ -77,10 +102,8 @@ fn row(app: App, now: ReadSignal<Vec<Readout>>, index: usize, readout: &Readout)
         member::pickers(app, &called, members, shown)
     });
     let label = span().class("label").child(text(move || get(|readout| &readout.label)));
-    div().child(dt().child(label).child(span().class("unbroken").maybe(symbol).maybe(picker))).child(
-        dd().attr("title", move || hidden().then_some(why))
-            .attr("data-hidden", move || hidden().then_some("true"))
-            .child(span().class("value").child(steady(move || get(|readout| &readout.value))))
+    div().hidden(hidden).child(dt().child(label).child(span().class("unbroken").maybe(symbol).maybe(picker))).child(
+        dd().child(span().class("value").child(steady(move || get(|readout| &readout.value))))
             .child(unit_of(text(move || get(|readout| &readout.unit)))),
     )
 }

@@ -2,6 +2,7 @@
 
 use crate::app::App;
 use crate::browser;
+use crate::page::class;
 use crate::views::*;
 use play::SurveyView;
 use program::SurveyKind;
@@ -29,6 +30,7 @@ pub fn view(app: App) -> View {
             // The browser replaces what a file name cannot have.
             let title = app.read(|play| play.program().title.clone());
             browser::save_text(&[&title, ENDING].concat(), "application/json", &file);
+            class::give_survey(&file);
         }
     };
     section()

@@ -11,6 +11,7 @@ use sycamore_web::SvgGlobalAttributes;
 pub fn view(app: App, id: PlotId) -> View {
     let entries = memo(move || {
         app.changes.runs.track();
+        app.changes.parameters.track();
         app.changes.plots.track();
         app.read(|play| play.plots().legend(id))
     });

@@ -55,6 +55,7 @@ fn stage(app: App) -> HtmlSection {
         .child(transport::view(app))
         .child(frames)
         .child(body)
+        .child(app.host().strip())
 }
 
 /// Aspect (width / height) from which a scene is laid out above the plots instead of beside them.

@@ -21,6 +21,8 @@ pub fn keep_button(app: App) -> HtmlButton {
 pub fn list(app: App) -> View {
     let kept = memo(move || {
         app.changes.runs.track();
+        // Its name is what differs from the present run.
+        app.changes.parameters.track();
         app.read(|play| play.time_line().kept(play.basis()))
     });
     // Rebuilt only if an entry was added or removed, so that hiding a run keeps the focus on its check box.

@@ -113,8 +113,13 @@ pub fn view(app: App) -> HtmlSection {
         status();
         trouble(app, announced)
     };
+    // Before a run has begun there is nothing to go back to or to hurry.
+    let fresh = memo(move || {
+        app.changes.values.track();
+        !app.read(|play| play.time_line().has_run())
+    });
     section()
-        .class("transport")
+        .class(move || if fresh.get() { "transport fresh" } else { "transport" })
         .id("transport")
         .attr("aria-label", words.transport)
         .child(buttons)

@@ -66,7 +66,7 @@ pub struct Share<'a> {
 
 /// How near a curve comes to the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::fit) enum Nearness {
+pub enum Nearness {
     /// The residuals are small beside the swing of the values.
     Met,
     /// The residuals are large but scatter about the curve.

@@ -43,6 +43,19 @@ impl Outcome {
         })
     }
 
+    /// [`Outcome::nearness_text`] in one line beside the curve, with the nearness itself.
+    pub fn nearness_in_brief(&self, language: Language) -> Option<(Nearness, String)> {
+        let share = self.largest_share()?;
+        let nearness = self.nearness(share);
+        let percent = plain(100.0 * share.value, 2, language.style());
+        let text = match nearness {
+            Nearness::Met => say!(language, "Hit: off by {percent} % of the swing."),
+            Nearness::Scattered => say!(language, "The points scatter by {percent} % of the swing."),
+            Nearness::Missed => say!(language, "Miss: off by {percent} % of the swing."),
+        };
+        Some((nearness, text))
+    }
+
     /// Judgement of the residuals, in a few sentences.
     fn residuals_text(&self, language: Language) -> String {
         let verdict = self.verdict();

@@ -142,3 +142,22 @@ fn a_removed_question_leaves_its_translation_and_later_questions_wait_for_those_
     }
     assert_eq!(remove_question(&read(DOCUMENT), 1, &[]), Err(EditError::UnknownCell));
 }
+
+#[test]
+fn a_question_may_limit_its_attempts() {
+    let limited = |attempts: &str| DOCUMENT.replace("hint: Count.", &format!("attempts:{attempts}\nhint: Count."));
+    let opened = open(&limited(" 3"), &[]);
+    assert_eq!(opened.diagnostics, []);
+    assert_eq!(opened.document.unwrap().program.questions[0].attempts, Some(3));
+    assert_eq!(open(DOCUMENT, &[]).document.unwrap().program.questions[0].attempts, None);
+    for wrong in ["", " ", " 0", " 51", " -1", " 2.5", " three", " 3, 4", " 99999999999"] {
+        let opened = open(&limited(wrong), &[]);
+        let messages: Vec<_> = opened.diagnostics.iter().map(|(_, found)| found.message.english()).collect();
+        assert_eq!(messages, ["the number of attempts is a whole number from 1 to 50"], "{wrong}");
+    }
+    let edits = set_question(&read(DOCUMENT), 0, QuestionPart::Attempts, "2").unwrap();
+    let text = edits.iter().fold(DOCUMENT.to_owned(), |text, edit| {
+        [&text[..edit.span.start], &edit.text, &text[edit.span.end..]].concat()
+    });
+    assert_eq!(asked(&read(&text))[0].attempts, "2");
+}

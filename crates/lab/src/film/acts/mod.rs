@@ -35,7 +35,9 @@ pub fn way_in(app: App) -> View {
         .child(icons::film())
         .child(span().child(words.open));
     let input = input.id("film-file").hidden(true).attr("aria-label", words.open).when(events::change, take);
-    View::from((open, input, camera::button(app), filming::button(app)))
+    let warning = (!window().is_secure_context()).then(|| note(words.insecure).id("films-need-https"));
+    let warning = warning.map_or_else(View::new, View::from);
+    View::from((open, input, camera::button(app), filming::button(app), warning))
 }
 
 /// The four steps; empty while no film is open.

@@ -5,7 +5,6 @@ use crate::app::App;
 use crate::film::now::now;
 use crate::film::{doubts, words};
 use view::browser;
-use view::panel::tabs;
 use view::views::*;
 
 /// Progress of the tracking, then its result.
@@ -53,10 +52,6 @@ fn progress(app: App) -> View {
 
 fn result(app: App) -> View {
     let words = words::of(app);
-    let fit = move |_| {
-        view::panel::show(app.page, tabs::MEASURE);
-        browser::focus_later("fit".to_owned());
-    };
     let show = move |_| {
         if let Some(record) = now(app).and_then(|now| now.record) {
             browser::reveal_later(format!("record-{record}"));
@@ -68,7 +63,6 @@ fn result(app: App) -> View {
         truth::view(app),
         div()
             .class("intake")
-            .child(button().class("primary").id("film-fit").when(events::click, fit).child(words.fit))
-            .child(button().class("quiet").when(events::click, show).child(words.show_record)),
+            .child(button().class("quiet").id("film-record").when(events::click, show).child(words.show_record)),
     ))
 }

@@ -108,6 +108,7 @@ fn name(app: App, part: QuestionPart) -> &'static str {
         QuestionPart::Set => words.question_supposes,
         QuestionPart::Hide => words.question_unlocks,
         QuestionPart::Answer => words.question_answer,
+        QuestionPart::Attempts => words.question_attempts,
         QuestionPart::Hint => words.hint,
         QuestionPart::Explanation => words.question_explanation_title,
     }

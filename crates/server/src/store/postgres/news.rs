@@ -52,6 +52,7 @@ impl Postgres {
         if changed.is_empty() {
             return Ok(news);
         }
+        news.teachers = changed.iter().filter(|(_, seat)| *seat == 0).map(|(class, _)| class.clone()).collect();
         let names: Vec<&str> = changed.iter().map(|(class, _)| class.as_str()).collect();
         let seats: Vec<i64> = changed.iter().map(|(_, seat)| i64::from(*seat)).collect();
         for row in line.rows(SEATS, &[&names, &seats]).await? {

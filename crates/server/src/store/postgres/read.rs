@@ -52,6 +52,11 @@ impl Postgres {
         rows.iter().map(|row| Ok((number(row, 0)?, number(row, 1)?))).collect()
     }
 
+    pub async fn erased(&self) -> Result<Vec<(String, u32)>, Fault> {
+        let rows = self.rows("SELECT class, seat FROM erased", &[]).await?;
+        rows.iter().map(|row| Ok((value(row, 0)?, number(row, 1)?))).collect()
+    }
+
     pub async fn tokens(&self, class: String) -> Result<Vec<(Hash, u32)>, Fault> {
         let rows = self.rows("SELECT hash, seat FROM token WHERE class = $1", &[&class]).await?;
         rows.iter().map(|row| Ok((hash(row, 0)?, number(row, 1)?))).collect()

@@ -50,6 +50,11 @@ const SET_CODE: &str = "
 WITH own AS (UPDATE class SET code = $2 WHERE class = $1 RETURNING class)
 INSERT INTO change(class, seat) SELECT class, 0 FROM own";
 
+const REVOKE_TEACHERS: &str = "
+WITH gone AS (DELETE FROM token WHERE class = $1 AND seat = 0 AND hash <> $2::bytea),
+  links AS (DELETE FROM link WHERE class = $1)
+INSERT INTO change(class, seat) SELECT class, 0 FROM class WHERE class = $1";
+
 const APPROVE: &str = "
 WITH own AS (UPDATE seat SET approved = 1 WHERE class = $1 AND seat = $2 RETURNING seat)
 INSERT INTO change(class, seat) SELECT $1, seat FROM own";
@@ -137,6 +142,10 @@ impl Postgres {
 
     pub async fn set_code(&self, class: String, code: String) -> Result<(), Fault> {
         self.change(SET_CODE, vec![given(class), given(code)]).await.map(drop)
+    }
+
+    pub async fn revoke_teachers(&self, class: String, but: Hash) -> Result<(), Fault> {
+        self.change(REVOKE_TEACHERS, vec![given(class), given(but.to_vec())]).await.map(drop)
     }
 
     pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {

@@ -86,6 +86,26 @@ impl Sqlite {
         .await
     }
 
+    pub async fn revoke_teachers(&self, class: String, but: Hash) -> Result<(), Fault> {
+        self.links.lock().map_err(|_| Fault::Ending)?.retain(|_, of| *of != class);
+        self.change(move |connection| {
+            connection
+                .execute("DELETE FROM token WHERE class=? AND seat=0 AND hash<>?", params![class, but.as_slice()])?;
+            Ok(())
+        })
+        .await
+    }
+
+    /// Erased seats of all classes; seat 0 is the class itself.
+    pub async fn erased(&self) -> Result<Vec<(String, u32)>, Fault> {
+        self.read(|connection| {
+            let mut query = connection.prepare("SELECT class, seat FROM erased")?;
+            let rows = query.query_map([], |row| Ok((row.get(0)?, row.get(1)?)))?;
+            Ok(rows.collect::<Result<_, _>>()?)
+        })
+        .await
+    }
+
     pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {
         self.change(move |connection| {
             connection.execute("UPDATE seat SET approved=1 WHERE class=? AND seat=?", params![class, seat])?;

@@ -1,16 +1,20 @@
 //! Writes what fuzzing begins with: the simulations with their translations as documents, as bundles and, block by block, as models; the films and
-//! projects of the tests; old workbooks; hand-ins; a sheet of answers; what an archive of phyphox has in its files;
+//! projects of the tests; simulations of EJS in both formats; old workbooks; hand-ins; a sheet of answers; what an archive of phyphox has in its files;
 //! and files of measuring instruments.
 //! `cargo run --manifest-path fuzz/Cargo.toml --bin seeds`
 
 #[path = "../crates/analysis/tests/all/support/old_workbook.rs"]
 mod old_workbook;
+#[path = "../crates/ejss/tests/all/support.rs"]
+#[allow(dead_code, reason = "the tests of the crate use the rest")]
+mod simulation;
 
 use class::verify::hand_in;
 use old_workbook::{Cell, OldWorkbook};
 use saved::carried::carry;
 use saved::hand_in::Sender;
 use saved::project::Project;
+use simulation::Simulation;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -29,6 +33,7 @@ fn main() -> io::Result<()> {
         "bundle",
         "data_sets",
         "document",
+        "ejs",
         "film",
         "hand_in",
         "import",
@@ -79,6 +84,14 @@ fn main() -> io::Result<()> {
         let workbook = workbook(five);
         write("old_workbook", &format!("file-{five}"), &workbook.bytes())?;
         write("old_workbook", &format!("stream-{five}"), &workbook.stream())?;
+    }
+    for path in files(&fuzz.join("../crates/ejss/tests/simulations"))? {
+        if path.extension().is_some_and(|kind| kind == "txt") {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let simulation = Simulation::read(&fs::read_to_string(&path)?);
+            write("ejs", &format!("{name}.ejss"), simulation.ejss().as_bytes())?;
+            write("ejs", &format!("{name}.json"), simulation.json().as_bytes())?;
+        }
     }
     for path in files(&fuzz.join("../crates/film/tests/films"))? {
         if path.extension().is_some_and(|kind| kind != "csv" && kind != "sh") {

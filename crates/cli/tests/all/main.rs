@@ -17,6 +17,7 @@ mod fit;
 mod fit_options;
 mod hand_ins;
 mod hostile_hand_ins;
+mod import;
 mod lsp;
 mod office;
 mod pages;

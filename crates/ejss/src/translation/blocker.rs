@@ -26,6 +26,8 @@ pub(crate) enum Blocker {
     Step(String),
     /// The time does not begin at 0.
     StartOfTime(String),
+    /// Code that moves states, time or step in a way that cannot be translated.
+    Code(Reason),
     /// A quantity that the states need cannot be translated.
     Needed(String, Reason),
     /// The checker does not accept the translation.
@@ -59,6 +61,13 @@ impl Blocker {
             Self::StartOfTime(value) => {
                 let value = shown(value);
                 words!("the time begins at {value}")
+            }
+            Self::Code(reason) => {
+                let (why, section) = (reason.obstacle.words(), reason.place.section.words());
+                match reason.place.line {
+                    Some(line) => words!("{why} ({section}, line {line})"),
+                    None => words!("{why} ({section})"),
+                }
             }
             Self::Needed(name, reason) => {
                 let (name, why, section) =

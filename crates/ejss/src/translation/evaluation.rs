@@ -102,8 +102,10 @@ impl Run<'_> {
         let name = Value::Name(key.to_owned());
         match (self.phase, fact.role) {
             (Phase::Start, _) => Ok(Value::Nothing),
-            (Phase::Fixed, Role::Computed) if self.own_writes.contains(key) => {
-                Err(self.reason(line, Obstacle::Past(key.to_owned())))
+            (Phase::Fixed, Role::Computed) => {
+                let reason = self.reason(line, Obstacle::Past(key.to_owned()));
+                self.past.entry(key.to_owned()).or_insert(reason);
+                Ok(Value::Past(key.to_owned()))
             }
             (Phase::Motion | Phase::Event, Role::Computed) => {
                 self.older.insert(key.to_owned());
@@ -231,7 +233,7 @@ impl Run<'_> {
             // A variable that has a value by now.
             (Value::Nothing, other) | (other, Value::Nothing) => match (self.phase, other) {
                 (Phase::Start, _) => Ok(Value::Truth(false)),
-                (_, Value::Name(_)) => Ok(Value::Truth(false)),
+                (_, Value::Name(_) | Value::Past(_)) => Ok(Value::Truth(false)),
                 _ => Err(self.reason(line, Obstacle::NoValue("undefined".to_owned()))),
             },
             (Value::Text(left), Value::Text(right)) => Ok(Value::Truth(left == right)),
@@ -287,7 +289,7 @@ impl Run<'_> {
                 _ => Kind::Truth,
             }),
             Value::If(_, yes, _) => self.kind(yes),
-            Value::Name(name) => match self.facts.variable(name) {
+            Value::Name(name) | Value::Past(name) => match self.facts.variable(name) {
                 Some(fact) => Some(fact.kind),
                 None => Some(self.kinds.get(name).copied().unwrap_or(Kind::Number)),
             },

@@ -1,7 +1,7 @@
 //! Events as statements of the document.
 
 use super::facts::{Facts, Role};
-use super::motion::{Motion, SolvedEvent};
+use super::motion::{Motion, SolvedEvent, Trigger};
 use super::value::{Kind, Value};
 use crate::report::{EntryKind, Report};
 use crate::script::Operator;
@@ -11,8 +11,8 @@ use units::words;
 #[derive(Clone, Debug)]
 pub(super) struct EventText {
     pub name: String,
-    /// Condition as the document writes it.
-    pub condition: Value,
+    /// Condition as the document writes it; `None` for the end of each step.
+    pub condition: Option<Value>,
     pub actions: Vec<(String, Value)>,
     pub stops: bool,
 }
@@ -26,7 +26,7 @@ pub(super) fn until(facts: &Facts, motion: &Motion, report: &mut Report) -> (Opt
             until = Some(until.map_or(end, |other| other.min(end)));
         } else {
             let begins_below = |condition: &Value| at_start(facts, motion, condition).is_some_and(|value| value <= 0.0);
-            if !event.is_crossing && event.condition.as_ref().is_ok_and(begins_below) {
+            if event.trigger == Trigger::Negative && event.condition.as_ref().is_ok_and(begins_below) {
                 report.add(
                     EntryKind::Differs,
                     event.place.clone(),
@@ -69,7 +69,7 @@ fn at_start(facts: &Facts, motion: &Motion, value: &Value) -> Option<f64> {
 /// An event, and a second one for what it does only under a condition on discrete quantities.
 fn texts(facts: &Facts, event: &SolvedEvent, report: &mut Report) -> Vec<EventText> {
     let condition = match &event.condition {
-        Ok(condition) => when(condition, event.is_crossing),
+        Ok(condition) => when(condition, event.trigger),
         Err(reason) => {
             let why = reason.obstacle.words();
             report.add(EntryKind::Left, reason.place.clone(), words!("The event is not carried over: {why}."));
@@ -105,6 +105,7 @@ fn texts(facts: &Facts, event: &SolvedEvent, report: &mut Report) -> Vec<EventTe
         if !is_discrete(facts, &condition) {
             return false;
         }
+        let condition = Some(condition);
         let index = later.iter().position(|event| event.condition == condition).unwrap_or_else(|| {
             later.push(EventText { name: event.name.clone(), condition, actions: Vec::new(), stops: false });
             later.len() - 1
@@ -155,17 +156,22 @@ fn texts(facts: &Facts, event: &SolvedEvent, report: &mut Report) -> Vec<EventTe
     all
 }
 
-/// Condition of an event: the quantity passes through zero, or becomes negative.
-fn when(quantity: &Value, is_crossing: bool) -> Value {
-    let operator = if is_crossing { Operator::Equal } else { Operator::Less };
-    match quantity {
+/// Condition of an event: the quantity passes through zero, or becomes negative. `None` for the end of each step.
+fn when(quantity: &Value, trigger: Trigger) -> Option<Value> {
+    let operator = match trigger {
+        Trigger::Crossing => Operator::Equal,
+        Trigger::Negative => Operator::Less,
+        Trigger::EachStep => return None,
+    };
+    let condition = match quantity {
         Value::Binary(Operator::Minus, left, right) => Value::Binary(operator, left.clone(), right.clone()),
-        Value::Negative(inner) if !is_crossing => {
+        Value::Negative(inner) if trigger == Trigger::Negative => {
             Value::binary(Operator::Greater, (**inner).clone(), Value::number(0.0))
         }
         Value::Negative(inner) => Value::binary(operator, (**inner).clone(), Value::number(0.0)),
         other => Value::binary(operator, other.clone(), Value::number(0.0)),
-    }
+    };
+    Some(condition)
 }
 
 /// True if a condition depends on discrete quantities and constants alone, and on at least one of the former.

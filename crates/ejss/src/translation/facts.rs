@@ -19,7 +19,7 @@ pub(super) enum Role {
     Time,
     /// Computed from others, in fixed relations or with the rates.
     Computed,
-    /// Changed by events only.
+    /// Changed by events only, or after each step.
     Discrete,
     /// Never written after the start.
     Constant,
@@ -156,6 +156,13 @@ impl Facts {
                 () if discrete.contains(name) => Role::Discrete,
                 () => Role::Constant,
             };
+        }
+    }
+
+    /// A computed variable keeps its value from step to step from now on.
+    pub fn keep(&mut self, name: &str) {
+        if let Some(fact) = self.variables.get_mut(name) {
+            fact.role = Role::Discrete;
         }
     }
 

@@ -16,6 +16,7 @@ mod names;
 mod needs;
 mod picture;
 mod plots;
+mod remembering;
 mod run;
 mod solved;
 mod units;

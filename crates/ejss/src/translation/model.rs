@@ -288,15 +288,22 @@ impl Writer<'_> {
             if actions.is_empty() {
                 continue;
             }
-            let condition = self.written(&event.condition);
+            let condition = match &event.condition {
+                Some(condition) => format!("when {}", self.written(condition)),
+                None => format!(
+                    "every {}{}",
+                    shortest(self.solved.increment),
+                    self.unit(&self.solved.facts.equations.independent)
+                ),
+            };
             let name = self.names.invent_event(&event.name);
             let label = if event.stops { format!(" {}", quoted(&event.name)) } else { String::new() };
-            let line = format!("when {condition} as {name} {{ {} }}{label}", actions.join(", "));
+            let line = format!("{condition} as {name} {{ {} }}{label}", actions.join(", "));
             if line.len() < 110 && actions.len() < 3 {
                 self.lines.push(line);
                 continue;
             }
-            self.lines.push(format!("when {condition} as {name} {{"));
+            self.lines.push(format!("{condition} as {name} {{"));
             for action in actions {
                 self.lines.extend(action.lines().map(|line| format!("    {line}")));
             }

@@ -33,14 +33,24 @@ pub(super) struct Motion {
     pub blockers: Vec<Reason>,
 }
 
+/// What an event waits for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Trigger {
+    /// Its quantity passes through zero, either way.
+    Crossing,
+    /// Its quantity becomes negative.
+    Negative,
+    /// The end of each step.
+    EachStep,
+}
+
 /// Event.
 #[derive(Clone, Debug)]
 pub(super) struct SolvedEvent {
     pub name: String,
     pub place: Place,
-    /// True if it fires on crossing either way, false if below zero.
-    pub is_crossing: bool,
-    /// The quantity that passes through zero.
+    pub trigger: Trigger,
+    /// The quantity that passes through zero; nothing for the end of each step.
     pub condition: Known,
     /// New values of states and discrete quantities.
     pub actions: Vec<(String, Known)>,
@@ -49,10 +59,12 @@ pub(super) struct SolvedEvent {
 }
 
 impl Motion {
-    pub fn of(facts: &Facts, report: &mut Report) -> Self {
+    /// Executes the code. Variables whose relations need their own values become discrete in `facts`.
+    pub fn of(facts: &mut Facts, report: &mut Report) -> Self {
         let mut motion = Self::default();
         motion.start(facts, report);
         motion.rates_and_relations(facts, report);
+        let facts = &*facts;
         for event in facts.equations.events.iter().filter(|event| event.is_active) {
             let place = Place::new(Section::Evolution, &event.name);
             let condition = statements(&event.condition, &place).and_then(|page| {
@@ -73,10 +85,11 @@ impl Motion {
             let actions =
                 actions.map(|key| (key.clone(), run.values.get(key).cloned().unwrap_or(Ok(Value::Nothing)))).collect();
             let is_crossing = event.kind.to_ascii_uppercase().contains("CROSS");
+            let trigger = if is_crossing { Trigger::Crossing } else { Trigger::Negative };
             motion.events.push(SolvedEvent {
                 name: event.name.clone(),
                 place,
-                is_crossing,
+                trigger,
                 condition,
                 actions,
                 pauses: run.pauses,
@@ -121,7 +134,7 @@ impl Motion {
         self.start = run.values;
     }
 
-    fn rates_and_relations(&mut self, facts: &Facts, report: &mut Report) {
+    fn rates_and_relations(&mut self, facts: &mut Facts, report: &mut Report) {
         let place = Place::new(Section::Evolution, &facts.equations.name);
         let mut page = match statements(&facts.equations.preliminary, &place) {
             Ok(page) => page,
@@ -179,7 +192,7 @@ impl Motion {
         for key in &fixed.order {
             let known = fixed.values.get(key).cloned().unwrap_or(Ok(Value::Nothing));
             match definitions.iter_mut().find(|(own, _)| own == key) {
-                Some((_, own)) if *own == known => {}
+                Some((_, own)) if *own == known.as_ref().map(Value::of_one_moment).map_err(Clone::clone) => {}
                 Some((_, own)) => {
                     let line = fixed.place.line.unwrap_or(1);
                     *own = Err(Reason { place: fixed.place.at(line), obstacle: Obstacle::TwoWays(key.clone()) });
@@ -187,8 +200,10 @@ impl Motion {
                 None => definitions.push((key.clone(), known)),
             }
         }
+        let past = fixed.past;
         self.definitions = definitions;
-        self.lag(facts, report);
+        self.remember(facts);
+        self.lag(facts, &past, report);
     }
 
     /// Value of a definition, or of a constant at the start.

@@ -72,7 +72,7 @@ impl<'a> Search<'a> {
         let mut names = Vec::new();
         let mut calls = Vec::new();
         value.walk(&mut |part| match part {
-            Value::Name(name) | Value::Start(name) => names.push(name.clone()),
+            Value::Name(name) | Value::Past(name) | Value::Start(name) => names.push(name.clone()),
             Value::Own(name, _) => calls.push(name.clone()),
             _ => {}
         });

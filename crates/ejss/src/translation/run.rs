@@ -56,8 +56,8 @@ pub(super) struct Run<'a> {
     pub older: BTreeSet<String>,
     /// Functions called by rates that read states or the time by their names, which have the values before the step there.
     pub older_in: BTreeSet<String>,
-    /// Names that the statement of a page which is being executed writes.
-    pub own_writes: BTreeSet<String>,
+    /// Variables that fixed relations read before they write them, each with the place where it is first read.
+    pub past: BTreeMap<String, Reason>,
     /// Index of the last statement of a page that writes a name.
     pub last: BTreeMap<String, usize>,
     /// Index of the statement of a page that is being executed.
@@ -91,7 +91,7 @@ impl<'a> Run<'a> {
             pauses: Vec::new(),
             older: BTreeSet::new(),
             older_in: BTreeSet::new(),
-            own_writes: BTreeSet::new(),
+            past: BTreeMap::new(),
             last: BTreeMap::new(),
             now: 0,
             frames: vec![BTreeMap::new()],
@@ -121,7 +121,6 @@ impl<'a> Run<'a> {
             let own = self.last_local_writes(&page.statements);
             for (at, statement) in page.statements.iter().enumerate() {
                 self.now += 1;
-                self.own_writes = self.facts.written_by(std::slice::from_ref(statement));
                 let returned = self.list(std::slice::from_ref(statement), 0).is_some();
                 for (name, key) in &self.frames.first().cloned().unwrap_or_default() {
                     let last = own.get(name).copied().unwrap_or(at);

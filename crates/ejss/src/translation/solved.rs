@@ -43,7 +43,7 @@ pub(crate) struct Solved {
     /// Step of the run.
     pub step: f64,
     /// Increment of the time between two pictures of the original.
-    increment: f64,
+    pub increment: f64,
 }
 
 /// Blocks of a translated document.
@@ -81,7 +81,7 @@ impl Solved {
         if equations.has_extras {
             return Err(Blocker::Extras);
         }
-        let facts = Facts::new(simulation, equations, report);
+        let mut facts = Facts::new(simulation, equations, report);
         for (state, _) in &equations.rates {
             match facts.variable(state) {
                 _ if state.contains('[') => return Err(Blocker::ArrayState(state.clone())),
@@ -90,9 +90,9 @@ impl Solved {
                 Some(_) => {}
             }
         }
-        let motion = Motion::of(&facts, report);
+        let motion = Motion::of(&mut facts, report);
         if let Some(reason) = motion.blockers.first() {
-            return Err(Blocker::Needed(facts.equations.independent.clone(), reason.clone()));
+            return Err(Blocker::Code(reason.clone()));
         }
         let (step, increment) = step(&facts, &motion).ok_or_else(|| Blocker::Step(equations.increment.clone()))?;
         if let Some(Ok(value)) = motion.start.get(&equations.independent)
@@ -171,7 +171,7 @@ impl Solved {
             }
         }
         let events = events.into_iter().filter(|event| {
-            let is_sound = is_known(&event.condition);
+            let is_sound = event.condition.as_ref().is_none_or(&is_known);
             if !is_sound {
                 report.add(
                     EntryKind::Left,
@@ -185,7 +185,7 @@ impl Solved {
         for event in &events {
             let acts = event.stops || event.actions.iter().any(|(name, _)| search.found.contains(name));
             if acts {
-                search.value(&event.condition);
+                event.condition.iter().for_each(|condition| search.value(condition));
             }
             for (name, value) in &event.actions {
                 if search.found.contains(name) {
@@ -245,7 +245,8 @@ impl Solved {
                 words!("The rates have a jump or a corner (a condition, `abs`, `min`, `floor` ..). Steps end there, and in the original they go over it: the motion may differ behind it."),
             );
         }
-        for name in self.motion.held.intersection(needed) {
+        let is_discrete = |name: &&String| self.facts.role(name) == Some(Role::Discrete);
+        for name in self.motion.held.intersection(needed).filter(|name| !is_discrete(name)) {
             let mut search = Search::new(&self.facts, &self.motion);
             search.key(name);
             if search.moves() {

@@ -13,6 +13,8 @@ pub(crate) enum Value {
     /// `undefined`.
     Nothing,
     Name(String),
+    /// Variable that fixed relations read before they write it: its value of the step before. In no value of the document.
+    Past(String),
     /// A state at the start of the run.
     Start(String),
     Negative(Box<Self>),
@@ -111,7 +113,8 @@ impl Value {
     /// True for what is shorter than a name for it: a number, a text, a name.
     pub fn is_plain(&self) -> bool {
         match self {
-            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => true,
+            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing => true,
+            Self::Name(_) | Self::Past(_) | Self::Start(_) => true,
             Self::Negative(inner) => matches!(**inner, Self::Number(..)),
             _ => false,
         }
@@ -120,9 +123,8 @@ impl Value {
     /// Values directly inside.
     pub fn parts(&self) -> Vec<&Self> {
         match self {
-            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => {
-                Vec::new()
-            }
+            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing => Vec::new(),
+            Self::Name(_) | Self::Past(_) | Self::Start(_) => Vec::new(),
             Self::Negative(inner) | Self::Not(inner) | Self::Decimals(inner, _) => vec![inner],
             Self::Binary(_, left, right) => vec![left, right],
             Self::If(condition, yes, no) => vec![condition, yes, no],
@@ -150,9 +152,8 @@ impl Value {
         }
         let mut inner = |value: &Self| Box::new(value.map(replace));
         match self {
-            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing | Self::Name(_) | Self::Start(_) => {
-                self.clone()
-            }
+            Self::Number(..) | Self::Text(_) | Self::Truth(_) | Self::Nothing => self.clone(),
+            Self::Name(_) | Self::Past(_) | Self::Start(_) => self.clone(),
             Self::Negative(value) => Self::Negative(inner(value)),
             Self::Not(value) => Self::Not(inner(value)),
             Self::Decimals(value, count) => Self::Decimals(inner(value), *count),
@@ -162,6 +163,27 @@ impl Value {
             Self::Own(name, parts) => Self::Own(name.clone(), parts.iter().map(|part| part.map(replace)).collect()),
             Self::Join(parts) => Self::Join(parts.iter().map(|part| part.map(replace)).collect()),
         }
+    }
+
+    /// Copy that reads the variables of the step before as they are now.
+    pub fn of_one_moment(&self) -> Self {
+        self.map(&mut |part| match part {
+            Self::Past(name) => Some(Self::Name(name.clone())),
+            _ => None,
+        })
+    }
+
+    /// Copy without branches that are never taken or are equal.
+    pub fn simplified(&self) -> Self {
+        self.map(&mut |part| match part {
+            Self::If(condition, yes, no) => {
+                Some(Self::choose(condition.simplified(), yes.simplified(), no.simplified()))
+            }
+            Self::Binary(Operator::And, left, right) => Some(left.simplified().and(right.simplified())),
+            Self::Binary(Operator::Or, left, right) => Some(left.simplified().or(right.simplified())),
+            Self::Not(inner) => Some(inner.simplified().not()),
+            _ => None,
+        })
     }
 
     /// The number of a constant expression of numbers; names by `value_of`. `None` for what needs an elementary function.

@@ -54,7 +54,7 @@ impl Writer<'_> {
             // Only discrete quantities and switches take these words, which the language knows there.
             Value::Truth(truth) => self.text.push_str(if *truth { "true" } else { "false" }),
             Value::Nothing => self.text.push('0'),
-            Value::Name(name) => self.name(name),
+            Value::Name(name) | Value::Past(name) => self.name(name),
             Value::Start(name) => {
                 self.name(name);
                 self.text.push_str("(0)");

@@ -17,6 +17,8 @@ fn value(imported: &Imported, rows: usize, variable: &str) -> f64 {
     while run.time() < until - 1e-9 {
         run.advance().unwrap_or_else(|error| panic!("{variable}: {error:?}"));
     }
+    // Events at this time.
+    run.finish(until).unwrap_or_else(|error| panic!("{variable}: {error:?}"));
     let node = program.model.lookup(name, 0).expect(name).node;
     let mut readings = Readings::new(&program.model, &[node]);
     readings.at(run.parameters(), run.initial(), run.time(), run.state())[0]

@@ -97,8 +97,8 @@ fn finding(
         .maybe((!fixes.is_empty()).then(|| div().class("actions").child(fixes)))
 }
 
-/// Sentence of a diagnostic; text between backticks is code.
-fn with_code(sentence: &str) -> View {
+/// Sentence of a diagnostic or of a report; text between backticks is code.
+pub fn with_code(sentence: &str) -> View {
     // An unpaired last backtick is an ordinary character.
     let paired = sentence.matches('`').count() / 2 * 2;
     let mut pieces = sentence.splitn(paired + 1, '`');

@@ -2,6 +2,7 @@
 
 use super::findings;
 use crate::app::App;
+use crate::documents::diagnostics::with_code;
 use crate::documents::imported::is_open;
 use view::views::*;
 
@@ -13,7 +14,7 @@ pub fn view(app: App) -> View {
         let words = app.words();
         let language = app.language.get_untracked();
         let entry = |entry: &ejss::Entry| {
-            let sentence = entry.sentence(language);
+            let sentence = with_code(&entry.sentence(language));
             match entry.document_line {
                 Some(line) => {
                     let go = move |_| go_to_line(app, line);
@@ -32,7 +33,7 @@ pub fn view(app: App) -> View {
             .class("imported")
             .id("import-report")
             .child(summary().child(count))
-            .child(note(first))
+            .child(p().class("note").child(with_code(&first)))
             .child(list);
         details.into()
     })

@@ -1,6 +1,6 @@
 //! The figure: result of a layout, ready to be painted.
 
-use crate::items::{Entry, Item, Rect, Scale};
+use crate::items::{Entry, Item, Point, Rect, Scale};
 use crate::plot::{Interval, View};
 use crate::raster::Cloud;
 use crate::ticks::Ticks;
@@ -35,6 +35,10 @@ pub struct Figure {
     pub(crate) clouds: Vec<Cloud>,
     /// True if some of their points are still missing.
     pub(crate) unfinished: bool,
+    /// True if the vertical axis has the scale of the drawing beside the plot.
+    pub(crate) is_level: bool,
+    /// Dot of the present moment of the first series that has one.
+    pub(crate) present: Option<Point>,
 }
 
 impl Figure {
@@ -65,6 +69,11 @@ impl Figure {
                 ink: *ink,
             },
         })
+    }
+
+    /// Dot of the present moment if the vertical axis has the scale of the drawing beside the plot ([`crate::Plot::level`]).
+    pub fn level_point(&self) -> Option<Point> {
+        self.present.filter(|_| self.is_level)
     }
 
     /// Horizontal scale; `None` before the first layout or if there is no room for the panel.

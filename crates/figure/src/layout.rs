@@ -61,6 +61,8 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.home_y.clear();
     figure.panel = Rect::default();
     figure.unfinished = false;
+    figure.is_level = false;
+    figure.present = None;
     figure.forget_clouds(plot);
     let whole = Rect { x: 0.0, y: 0.0, width: figure.width as f32, height: figure.height as f32 };
     figure.entries.push(Entry::Fill(whole, Ink::Ground));
@@ -244,8 +246,14 @@ impl Figure {
                     .with(axis.include)
             })
             .collect();
+        let of_drawing = plot.level.filter(|_| !plot.equal && plot.view.is_automatic());
+        let of_drawing = of_drawing.and_then(|level| level.limits(top, bottom)).filter(|limits| match extents[..] {
+            [extent] => extent.is_within(*limits),
+            _ => false,
+        });
+        self.is_level = of_drawing.is_some();
         for (index, limits) in shared_limits(&extents, intervals).into_iter().enumerate() {
-            let home = limits.values;
+            let home = of_drawing.unwrap_or(limits.values);
             let zoomed = plot.view.y.get(index);
             let values = zoomed.map_or(home, |limits| sane(*limits));
             // Several automatic axes keep the steps chosen so that one grid fits all.

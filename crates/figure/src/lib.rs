@@ -33,7 +33,7 @@ pub use hover::{Readout, Sample};
 pub use items::{Anchor, Dash, Ink, Item, Point, Rect, Scale, Stroke};
 pub use layout::{layout, layout_into};
 pub use palette::{Colour, Palette, RUN_COLOURS, SERIES_COLOURS};
-pub use plot::{Axis, Interval, Plot, Series, Settings, Style, View};
+pub use plot::{Axis, Interval, Level, Plot, Series, Settings, Style, View};
 pub use scales::{ScaleRow, scale_bars};
 pub use svg::FONT_FAMILY;
 pub use view::Direction;

@@ -70,6 +70,11 @@ impl Extent {
         }
     }
 
+    /// True if an interval contains all values.
+    pub(crate) fn is_within(self, interval: Interval) -> bool {
+        self.low >= interval.low && self.high <= interval.high
+    }
+
     fn is_empty(self) -> bool {
         self.low > self.high
     }

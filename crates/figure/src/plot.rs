@@ -23,6 +23,8 @@ pub struct Plot<'a> {
     pub marker: Option<f64>,
     /// Visible part of the plane.
     pub view: View,
+    /// Scale of a drawing beside the plot. The only vertical axis has it unless it is zoomed or does not contain its automatic range.
+    pub level: Option<Level>,
     /// True if both axes have the same scale, so that a path keeps its shape. Ignored with several vertical axes.
     pub equal: bool,
 }
@@ -156,6 +158,24 @@ impl View {
     /// True if all limits are automatic.
     pub fn is_automatic(&self) -> bool {
         self.x.is_none() && self.y.is_empty()
+    }
+}
+
+/// Vertical scale of a drawing beside the figure, for the same quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// Height of the value 0, in CSS pixels from the top of the figure.
+    pub zero: f64,
+    /// CSS pixels upwards per unit of the axis.
+    pub unit: f64,
+}
+
+impl Level {
+    /// Values at both ends of a panel between two heights; `None` for a scale that does not grow upwards.
+    pub(crate) fn limits(self, top: f64, bottom: f64) -> Option<Interval> {
+        let value = |pixel: f64| (self.zero - pixel) / self.unit;
+        let limits = Interval { low: value(bottom), high: value(top) };
+        (limits.low < limits.high && limits.low.is_finite() && limits.high.is_finite()).then_some(limits)
     }
 }
 

@@ -101,7 +101,9 @@ impl Figure {
             };
             if x.shows(at_x) && y.shows(at_y) {
                 let start = self.points.len();
-                self.points.extend([x.pixel(at_x) as f32, y.pixel(at_y) as f32]);
+                let dot = Point { x: x.pixel(at_x) as f32, y: y.pixel(at_y) as f32 };
+                self.present.get_or_insert(dot);
+                self.points.extend([dot.x, dot.y]);
                 let centres = start..self.points.len();
                 self.entries.push(Entry::Dots { centres, radius: 4.0, ink: Ink::Series(series.colour), ringed: true });
             }

@@ -242,7 +242,7 @@ fn element_exists(element: &crate::Element, scene: &Scene, model: &Model) -> boo
         Dragged::State(index) => index < model.states.len(),
         Dragged::Parameter(index) => index < model.parameters.len(),
     };
-    let dragged = |drag: &Drag| target(drag.target) && drag.up.iter().chain(&drag.right).all(value);
+    let dragged = |drag: &Drag| target(drag.target) && drag.up.iter().chain(&drag.right).chain(&drag.zero).all(value);
     let drag = element.drag.as_ref().is_none_or(dragged);
     drag && element.attributes.iter().all(|attribute| attribute.value.iter().all(piece))
         && element.children.iter().all(|child| match child {

@@ -6,6 +6,7 @@ use crate::app::App;
 use crate::pieces::colours::Colours;
 use crate::scene::SceneNodes;
 use crate::stage::brush::Part;
+use crate::stage::level::LevelNodes;
 use crate::stage::plot::PlotNodes;
 use crate::stage::sound::Sound;
 use crate::stage::transport::TransportNodes;
@@ -25,6 +26,8 @@ pub struct Nodes {
     pub scene: Option<SceneNodes>,
     /// Canvas of each plot, by the place of its [`PlotId`].
     pub plots: Vec<Option<PlotNodes>>,
+    /// Line from the scene to the curve, and the ring on what can be dragged.
+    pub level: Option<LevelNodes>,
     /// Clock and time line.
     pub transport: Option<TransportNodes>,
     /// Font size of the figures, in CSS pixels.
@@ -76,6 +79,7 @@ impl Nodes {
     pub fn clear(&mut self) {
         self.scene = None;
         self.plots.clear();
+        self.level = None;
         self.transport = None;
     }
 }
@@ -124,7 +128,8 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64, wor
     let mut unfinished = play.change_claims(|claims, basis| claims.advance(basis));
     for (place, plot) in nodes.plots.iter_mut().enumerate() {
         if let Some(plot) = plot {
-            unfinished |= plot.draw(PlotId::at(place), play, part, &nodes.colours, nodes.font_size);
+            unfinished |=
+                plot.draw(PlotId::at(place), play, part, nodes.scene.as_ref(), &nodes.colours, nodes.font_size);
         }
     }
     if let Some(transport) = &mut nodes.transport
@@ -134,6 +139,10 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64, wor
     }
     if let Some(scene) = &mut nodes.scene {
         scene.draw(play, values);
+    }
+    if let Some(level) = &mut nodes.level {
+        let lead = nodes.plots.iter().flatten().find_map(PlotNodes::lead);
+        level.draw(play, lead, nodes.scene.as_ref());
     }
     nodes.sound.follow(play);
     (playing || unfinished || working, values)

@@ -47,7 +47,6 @@ table_of_words! {
     first_steps: "First steps";
     guide: "60-second start";
     film_own: "Film your own";
-    film_own_steps: ": film, marks, curve, fit";
     open: "Open";
     publish: "Share";
     document: "Document";
@@ -78,6 +77,8 @@ table_of_words! {
     outline: "Dotted: measured";
     drag_hint: "Drag in the scene, or use the arrow keys.";
     drag_hint_touch: "Drag in the scene with a finger.";
+    drag_here: "Drag it, then let go";
+    drag_keys: "Or use the arrow keys.";
     drag_role: "handle";
 
     instruments: "Instruments";

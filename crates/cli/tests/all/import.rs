@@ -46,7 +46,11 @@ fn a_simulation_becomes_a_document_with_a_report() {
 
     let again = run_in(folder.path(), &["import", "spring.ejss"]);
     assert_eq!(again.code, 2);
-    assert!(again.stderr.contains("spring.md exists already") && again.stderr.contains("--output DOC"), "{}", again.stderr);
+    assert!(
+        again.stderr.contains("spring.md exists already") && again.stderr.contains("--output DOC"),
+        "{}",
+        again.stderr
+    );
     assert_eq!(names(folder.path()), ["spring.ejss", "spring.md"]);
 }
 
@@ -60,7 +64,10 @@ fn the_report_for_programs_has_page_line_reason_and_count() {
     let report: serde_json::Value = serde_json::from_str(&made.stdout).unwrap();
     assert_eq!((&report["title"], &report["translated"]), (&"A spring".into(), &true.into()));
     let entry = &report["entries"][0];
-    assert_eq!((&entry["section"], &entry["page"], &entry["line"]), (&"fixed-relations".into(), &"Loop".into(), &1.into()));
+    assert_eq!(
+        (&entry["section"], &entry["page"], &entry["line"]),
+        (&"fixed-relations".into(), &"Loop".into(), &1.into())
+    );
     let line = entry["documentLine"].as_u64().unwrap() as usize;
     let text = fs::read_to_string(&document).unwrap();
     assert!(text.lines().nth(line - 1).unwrap().starts_with("- Fixed relations, \"Loop\", line 1"), "{text}");

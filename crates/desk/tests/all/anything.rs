@@ -84,7 +84,12 @@ fn perform(desk: &mut Desk, action: Action) {
         }
         Action::Drag(right, up) => {
             desk.play_mut().change_settings(|settings| {
-                settings.drag_begin(&program::Drag { target: program::Dragged::State(0), up: Some(0), right: Some(1) })
+                settings.drag_begin(&program::Drag {
+                    target: program::Dragged::State(0),
+                    up: Some(0),
+                    right: Some(1),
+                    zero: None,
+                })
             });
             desk.play_mut().change_settings(|settings| settings.drag_move(right, up));
             desk.play_mut().change_settings(|settings| settings.drag_end());

@@ -26,7 +26,7 @@ pub const ELEMENTS: [&str; 20] = [
 ];
 
 /// Attributes of any element.
-pub const ATTRIBUTES: [&str; 79] = [
+pub const ATTRIBUTES: [&str; 80] = [
     // Names.
     "id",
     "class",
@@ -111,6 +111,7 @@ pub const ATTRIBUTES: [&str; 79] = [
     "drag",
     "drag-up",
     "drag-right",
+    "drag-zero",
 ];
 
 /// Attributes that may refer to an element of the same scene, `url(#glass)`.

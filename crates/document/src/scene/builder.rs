@@ -47,6 +47,8 @@ pub struct Dragging {
     pub up: Option<Range<usize>>,
     /// `drag-right`: its change per unit to the right.
     pub right: Option<Range<usize>>,
+    /// `drag-zero`: the vertical coordinate at which it is 0.
+    pub zero: Option<Range<usize>>,
 }
 
 impl Dragging {
@@ -55,6 +57,7 @@ impl Dragging {
         match attribute {
             "drag-up" => self.up = Some(value),
             "drag-right" => self.right = Some(value),
+            "drag-zero" => self.zero = Some(value),
             _ => self.state = Some(value),
         }
     }

@@ -4,7 +4,7 @@ use super::builder::{Builder, Dragging};
 use super::space::Spot;
 use crate::expressions::{Placed, dimension_error};
 use model::Span;
-use program::{Compiled, Drag, Dragged, Kind, NodeId, Variable};
+use program::{Compiled, Drag, Dragged, Kind, Node, NodeId, Variable};
 use std::ops::Range;
 use units::{Unit, words};
 
@@ -12,7 +12,7 @@ impl Builder<'_, '_> {
     /// Effect of dragging an element. `anchor`: its point that follows the pointer, in the current coordinate system.
     pub fn drag(&mut self, dragging: Dragging, anchor: Option<Spot>) -> Option<Drag> {
         let Some(place) = dragging.state else {
-            if let Some(place) = dragging.up.or(dragging.right) {
+            if let Some(place) = dragging.up.or(dragging.right).or(dragging.zero) {
                 self.refuse(
                     words("what does the pointer change?"),
                     place,
@@ -34,9 +34,29 @@ impl Builder<'_, '_> {
             );
             return None;
         }
+        if let Some(place) = dragging.zero.clone().filter(|_| dragging.right.is_some() || dragging.up.is_none()) {
+            self.refuse(
+                words("`drag-zero` belongs to what moves up and down alone"),
+                place,
+                Some(words("leave `drag-zero` out, or write `drag-up` without `drag-right`")),
+            );
+            return None;
+        }
         let up = dragging.up.and_then(|range| self.drag_rate(range, target));
         let right = dragging.right.and_then(|range| self.drag_rate(range, target));
-        (up.is_some() || right.is_some()).then_some(Drag { target, up, right })
+        let zero = dragging.zero.and_then(|range| self.level(range));
+        (up.is_some() || right.is_some()).then_some(Drag { target, up, right, zero })
+    }
+
+    /// A vertical coordinate, in the drawing.
+    fn level(&mut self, range: Range<usize>) -> Option<usize> {
+        let height = self.coordinate(range)?;
+        let space = self.space().clone();
+        let graph = self.expressions.graph();
+        let nothing = graph.constant(0.0);
+        let spot = space.spot(graph, nothing, height);
+        let node = space.outside(graph, spot).y;
+        self.drawn_value(node)
     }
 
     /// The state or parameter of a name.
@@ -115,7 +135,25 @@ impl Builder<'_, '_> {
             self.value(Placed { value, span })
         };
         let (up, right) = (index(up), index(right));
-        Some(Drag { target, up, right })
+        let zero = if right.is_none() { self.origin_of(variable, spot.y, down) } else { None };
+        Some(Drag { target, up, right, zero })
+    }
+
+    /// Height at which a variable is 0, where the height `down` changes by the same rate everywhere.
+    fn origin_of(&mut self, variable: Variable, height: NodeId, rate: NodeId) -> Option<usize> {
+        let graph = self.expressions.graph();
+        let bend = program::differentiate_all(graph, &[rate], variable);
+        if bend.first().and_then(|bend| graph.as_constant(*bend)) != Some(0.0) {
+            return None;
+        }
+        let value = graph.insert(match variable {
+            Variable::State(index) => Node::State(index),
+            Variable::Parameter(index) => Node::Parameter(index),
+            Variable::Initial(_) | Variable::Independent => return None,
+        });
+        let way = graph.multiply(value, rate);
+        let node = graph.subtract(height, way);
+        self.drawn_value(node)
     }
 
     /// Change of the target per unit of the drawing. In a frame, the document states it per unit of the frame.

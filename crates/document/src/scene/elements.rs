@@ -81,7 +81,7 @@ impl Builder<'_, '_> {
         self.note_plain(&name, &raw.attributes);
         for (attribute, value) in raw.attributes {
             match self.source(&attribute) {
-                "drag" | "drag-up" | "drag-right" => dragging.take(self.source(&attribute), value),
+                "drag" | "drag-up" | "drag-right" | "drag-zero" => dragging.take(self.source(&attribute), value),
                 "visible" => visible = self.visible(value),
                 own @ ("x" | "y" | "box") if is_frame => drop(geometry.insert(own.to_owned(), value)),
                 own if self.space().framed && is_geometry(&name, own) => drop(geometry.insert(own.to_owned(), value)),
@@ -134,7 +134,7 @@ impl Builder<'_, '_> {
         let mut visible = None;
         for (attribute, value) in raw.attributes {
             match self.source(&attribute) {
-                "drag" | "drag-up" | "drag-right" => dragging.take(self.source(&attribute), value),
+                "drag" | "drag-up" | "drag-right" | "drag-zero" => dragging.take(self.source(&attribute), value),
                 "visible" => visible = self.visible(value),
                 own if part.attributes.contains(&own) => drop(given.insert(own.to_owned(), value)),
                 _ => element.attributes.extend(self.attribute(attribute, value)),

@@ -63,8 +63,13 @@ impl Builder<'_, '_> {
             let text = if shown.is_finite() && shown != 0.0 { shown.to_string() } else { "0".to_owned() };
             return Some(Piece::Literal(text));
         }
-        let value = Compiled { node, unit: Unit::dimensionless(), kind: Kind::Number };
-        let index = self.value(Placed { value, span: self.element_place() })?;
+        let index = self.drawn_value(node)?;
         Some(Piece::Value { index, decimals: None })
+    }
+
+    /// Index of a value in units of the drawing.
+    pub fn drawn_value(&mut self, node: NodeId) -> Option<usize> {
+        let value = Compiled { node, unit: Unit::dimensionless(), kind: Kind::Number };
+        self.value(Placed { value, span: self.element_place() })
     }
 }

@@ -1,7 +1,7 @@
 //! Complete figures: positions of texts, and items drawn.
 
 use figure::{
-    Anchor, Axis, Figure, Ink, Interval, Item, Palette, Plot, Point, Series, Settings, View, layout, layout_into,
+    Anchor, Axis, Figure, Ink, Interval, Item, Level, Palette, Plot, Point, Series, Settings, View, layout, layout_into,
 };
 
 pub fn settings(width: f64, height: f64) -> Settings {
@@ -282,4 +282,27 @@ fn an_axis_may_show_one_range_only() {
     let (low, high) = (figure.place(0, 0.0, -1.0).unwrap(), figure.place(0, 4.0, 2.0).unwrap());
     assert!(figure.panel.contains(low) && figure.panel.contains(high), "{low:?}, {high:?}");
     assert!(high.x - low.x > figure.panel.width / 2.0 && low.y - high.y > figure.panel.height / 2.0);
+}
+
+#[test]
+fn beside_a_drawing_the_axis_has_its_scale_as_long_as_all_fits() {
+    let (time, displacement, _) = columns(201);
+    let at = |level| {
+        let series = Series { x: &time, y: &displacement, present: Some((3.0, 0.25)), ..Series::default() };
+        let y = vec![axis("y", "m")];
+        layout(
+            &Plot { x: time_axis(), y, series: vec![series], ordered: true, level, ..Plot::default() },
+            &settings(640.0, 320.0),
+        )
+    };
+    let figure = at(Some(Level { zero: 140.0, unit: 200.0 }));
+    let scale = figure.y_scales()[0];
+    assert!((scale.pixel(0.0) - 140.0).abs() < 1e-9 && (scale.pixel(0.5) - 40.0).abs() < 1e-9);
+    let dot = figure.level_point().expect("the present moment");
+    assert!((f64::from(dot.y) - 90.0).abs() < 1e-4);
+    // A swing that leaves the panel has its own scale, and so has a scale that points downwards.
+    for level in [None, Some(Level { zero: 140.0, unit: 400.0 }), Some(Level { zero: 140.0, unit: -200.0 })] {
+        let other = at(level);
+        assert_eq!((other.level_point(), other.y_scales()), (None, at(None).y_scales()));
+    }
 }

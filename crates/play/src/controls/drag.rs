@@ -179,7 +179,8 @@ fn same(one: &[f64], other: &[f64]) -> bool {
     one.iter().map(|value| value.to_bits()).eq(other.iter().map(|value| value.to_bits()))
 }
 
-fn collect_drags<'a>(element: &'a Element, drags: &mut Vec<&'a Drag>) {
+/// All handles, in the order of the scene.
+pub(super) fn collect_drags<'a>(element: &'a Element, drags: &mut Vec<&'a Drag>) {
     drags.extend(&element.drag);
     for child in &element.children {
         if let Child::Element(child) = child {

@@ -6,6 +6,7 @@ pub(crate) mod drag;
 mod dragging;
 pub(crate) mod drawing;
 pub(crate) mod hold;
+mod level;
 mod method;
 mod parameter;
 pub(crate) mod preset;
@@ -16,6 +17,7 @@ mod start;
 
 pub use button::ButtonView;
 pub use drawing::DrawingView;
+pub use level::Level;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterGroup, ParameterView};
 pub use preset::{PresetGroup, PresetView};

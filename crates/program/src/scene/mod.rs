@@ -178,6 +178,9 @@ pub struct Drag {
     pub up: Option<usize>,
     /// Change per unit to the right, SI units: an index in [`Scene::values`].
     pub right: Option<usize>,
+    /// Height at which the target is 0 if it moves up and down alone, downwards from the top of the user space: an index in
+    /// [`Scene::values`]. With `up` it makes the drawing a scale of the target.
+    pub zero: Option<usize>,
 }
 
 /// State or parameter that dragging changes.

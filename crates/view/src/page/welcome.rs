@@ -32,8 +32,7 @@ pub fn end_first_visit() {
 pub fn line(app: App, is_first_visit: bool, press: impl Fn(&'static str) + Clone + 'static) -> HtmlDiv {
     let words = app.words();
     let guide = button().class(if is_first_visit { "action" } else { "quiet" }).child(words.guide);
-    let film =
-        button().class("quiet").child(words.film_own).child(span().class("film-steps").child(words.film_own_steps));
+    let film = button().class("quiet").child(words.film_own);
     let buttons = [(GUIDE, guide), (FILM, film)].into_iter();
     let bar = Toolbar::new();
     let place = |(place, (id, button)): (usize, (&'static str, HtmlButton))| {

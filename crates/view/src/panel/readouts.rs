@@ -14,7 +14,7 @@ const MAIN: usize = 3;
 /// The readouts that are always in sight: the first that change with time, or constant ones if too few do. None of them is hidden
 /// by a question.
 pub fn main(app: App) -> HtmlSection {
-    let (main, _) = divided(app);
+    let [main, _] = divided(app);
     let mut readouts = part("readouts", "readouts card", app.words().readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
     readouts.child(div().class("values").child(list(app, now, main)))
@@ -23,7 +23,7 @@ pub fn main(app: App) -> HtmlSection {
 /// The others: first those that change with time, then constant ones.
 pub fn further(app: App) -> HtmlSection {
     let words = app.words();
-    let (_, others) = divided(app);
+    let [_, others] = divided(app);
     let mut readouts = part("further-readouts", "readouts card", words.readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
     let (changing, constant): (Vec<_>, Vec<_>) = others.into_iter().partition(|(_, readout)| readout.varies);
@@ -47,7 +47,7 @@ pub fn further(app: App) -> HtmlSection {
 }
 
 /// The readouts with their places: those in sight without *More*, and the others.
-fn divided(app: App) -> (Vec<(usize, Readout)>, Vec<(usize, Readout)>) {
+fn divided(app: App) -> [Vec<(usize, Readout)>; 2] {
     let all: Vec<Readout> = app.read(|play| play.readouts());
     // The independent variable is shown by the clock.
     let rows = all.into_iter().enumerate().filter(|(_, readout)| readout.kind != ReadoutKind::Independent);
@@ -59,7 +59,7 @@ fn divided(app: App) -> (Vec<(usize, Readout)>, Vec<(usize, Readout)>) {
     {
         main.push(others.remove(place));
     }
-    (main, others)
+    [main, others]
 }
 
 fn list(app: App, now: ReadSignal<Vec<Readout>>, rows: Vec<(usize, Readout)>) -> HtmlDl {

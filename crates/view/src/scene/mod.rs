@@ -54,6 +54,11 @@ impl SceneNodes {
         self.root.clone()
     }
 
+    /// Node of a handle, in the order of the drawing.
+    pub fn handle(&self, index: usize) -> Option<SvgElement> {
+        self.handles.get(index).map(|handle| handle.part().0)
+    }
+
     /// Updates the scene to the present state; its texts only if `values` is true.
     pub fn draw(&mut self, play: &mut Play, values: bool) {
         self.picture.draw_shapes(play);

@@ -6,6 +6,7 @@ pub mod full_screen;
 mod gesture;
 mod gestures;
 mod legend;
+pub(crate) mod level;
 mod narrow;
 mod pinned;
 pub mod pins;
@@ -41,11 +42,16 @@ fn stage(app: App) -> HtmlSection {
     let [picture, frames] = app.host().picture();
     let aspect = aspect(app);
     let body = div()
-        .class(if aspect > WIDE { "stage-body wide" } else { "stage-body" })
+        .class(match aspect {
+            aspect if aspect > WIDE => "stage-body wide",
+            aspect if aspect < SLIM => "stage-body slim",
+            _ => "stage-body",
+        })
         .style(format!("--aspect:{aspect:.3}"))
         .child(picture)
         .child(scene(app))
-        .child(plots::view(app));
+        .child(plots::view(app))
+        .child(level::view(app));
     section()
         .class("stage")
         .id("apparatus")
@@ -60,6 +66,9 @@ fn stage(app: App) -> HtmlSection {
 
 /// Aspect (width / height) from which a scene is laid out above the plots instead of beside them.
 const WIDE: f64 = 1.15;
+
+/// Aspect (width / height) below which a scene has room beside the plots on a phone, too.
+const SLIM: f64 = 0.75;
 
 /// Aspect (width / height) of the scene's view box; 1 without a fixed one.
 fn aspect(app: App) -> f64 {

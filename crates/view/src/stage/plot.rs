@@ -3,10 +3,12 @@
 use super::brush::{Brush, Part};
 use super::canvas;
 use super::gesture::Gesture;
+use super::level::{Beside, Lead};
 use super::pinned::{LETTERS, Pinned};
 use crate::app::App;
 use crate::pieces::colours::Colours;
 use crate::pieces::sight::Sight;
+use crate::scene::SceneNodes;
 use crate::views::*;
 use figure::{Point, Readout, Settings};
 use play::{Play, PlotId};
@@ -40,6 +42,9 @@ pub struct PlotNodes {
     pub pinned: Signal<Pinned>,
     /// State of the pointers on the canvas.
     pub gesture: Gesture,
+    /// Place beside the scene; `None` until it has been measured.
+    beside: Option<Option<Beside>>,
+    lead: Option<Lead>,
     sight: Option<Sight>,
     observer: Option<ResizeObserver>,
     /// Kept alive for the observer.
@@ -68,10 +73,24 @@ impl PlotNodes {
             // Resizing has cleared the canvas.
             self.drawn = None;
         }
+        self.beside = None;
+    }
+
+    /// The line from the scene to the present point, while the plot is in sight and has the scale of the scene.
+    pub fn lead(&self) -> Option<Lead> {
+        self.lead.filter(|_| self.visible && self.size.0 >= 40.0)
     }
 
     /// Draws the figure if its content has changed. Returns true if another frame is needed to complete it.
-    pub fn draw(&mut self, id: PlotId, play: &mut Play, part: Option<Part>, colours: &Colours, font_size: f64) -> bool {
+    pub fn draw(
+        &mut self,
+        id: PlotId,
+        play: &mut Play,
+        part: Option<Part>,
+        scene: Option<&SceneNodes>,
+        colours: &Colours,
+        font_size: f64,
+    ) -> bool {
         let revision = play.revision();
         self.stale |= std::mem::replace(&mut self.part, part) != part;
         let seen = self.visible || self.drawn.is_none();
@@ -80,9 +99,17 @@ impl PlotNodes {
         }
         (self.stale, self.drawn) = (false, Some(revision));
         let settings = self.settings(font_size);
-        let Some(figure) = play.layout_plot(id, &settings) else { return false };
+        let level = scene.and_then(|scene| self.level(play.level_of(id)?, scene));
+        let Some(figure) = play.layout_plot_beside(id, &settings, level.map(|(level, _)| level)) else { return false };
+        self.lead = level.and_then(|(_, beside)| Some(beside.lead(figure.level_point()?)));
+        let is_cut = level.is_some() && self.lead.is_none();
         canvas::paint(&self.context, figure, colours, self.scale);
         self.stale = figure.is_unfinished();
+        if is_cut && play.plots().list().iter().any(|plot| plot.id == id && plot.automatic) {
+            // The scale of the scene needs a plot as high as the scene.
+            let plot = self.canvas.closest(".plot").ok().flatten();
+            plot.into_iter().for_each(|plot| drop(plot.class_list().add_1("tall")));
+        }
         if let Some(brush) = brush(play, id, self.part) {
             brush.paint(&self.context, colours);
         }
@@ -103,6 +130,12 @@ impl PlotNodes {
         }
         self.show_tip(readout.as_ref());
         self.stale
+    }
+
+    /// Scale of the scene for the plot beside it.
+    fn level(&mut self, level: play::Level, scene: &SceneNodes) -> Option<(figure::Level, Beside)> {
+        let beside = *self.beside.get_or_insert_with(|| Beside::measure(scene, level.handle, &self.canvas));
+        beside.map(|beside| (beside.level(level), beside))
     }
 
     /// Shows the read-out in a tooltip above everything else; inside the card it would be cropped.
@@ -186,6 +219,8 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         pins: Vec::new(),
         pinned,
         gesture: Gesture::default(),
+        beside: None,
+        lead: None,
         sight: None,
         observer: observer.clone(),
         _resized: resized,
@@ -201,6 +236,10 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
     });
     if let Some(observer) = observer {
         observer.observe(canvas);
+        // The scene may get another size while the plot keeps its own.
+        if let Some(scene) = app.nodes(|nodes| nodes.scene.as_ref().map(SceneNodes::root)).flatten() {
+            observer.observe(&scene);
+        }
     }
     let sight = Sight::of(canvas, move |visible| {
         with_plot(app, id, |plot| plot.visible = visible);

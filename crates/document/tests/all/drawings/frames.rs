@@ -117,7 +117,7 @@ fn what_does_not_fit_is_refused_at_its_place() {
 }
 
 /// The drag target, and its change per unit upwards and to the right, for x = 0.5 m and theta = 0.3.
-fn dragged(scene: &str) -> (Dragged, Option<f64>, Option<f64>) {
+fn handle(scene: &str) -> (program::Drag, Vec<f64>) {
     let (program, found) = open(scene);
     assert_eq!(found, [""; 0], "{scene}");
     let values = values(&program, &[0.5, 0.3]);
@@ -129,7 +129,11 @@ fn dragged(scene: &str) -> (Dragged, Option<f64>, Option<f64>) {
             })
         })
     }
-    let drag = find(&program.scene("en").expect("a scene").root).expect("a handle").clone();
+    (find(&program.scene("en").expect("a scene").root).expect("a handle").clone(), values)
+}
+
+fn dragged(scene: &str) -> (Dragged, Option<f64>, Option<f64>) {
+    let (drag, values) = handle(scene);
     (drag.target, drag.up.map(|index| values[index]), drag.right.map(|index| values[index]))
 }
 
@@ -160,4 +164,22 @@ fn a_part_of_a_frame_follows_the_hand_along_its_way() {
         &format!("{FRAME}<circle at='(0, 0)' r='9px' drag='x'/></frame>"),
         &["where this part lies does not depend on `x`"],
     );
+}
+
+#[test]
+fn what_moves_up_and_down_alone_says_where_its_quantity_is_zero() {
+    let zero = |inside: &str| {
+        let (drag, values) = handle(&format!("{FRAME}{inside}</frame>"));
+        drag.zero.map(|index| values[index])
+    };
+    let origin = zero("<circle at='(0, x)' r='9px' drag='x'/>").expect("a straight way");
+    assert!(
+        (zero("<circle at='(0, 0.5 [m] - x)' r='9px' drag='x'/>").expect("a straight way") - (origin - 50.0)).abs()
+            < 1e-9
+    );
+    assert!((zero("<g drag='x' drag-up='1' drag-zero='0.25 [m]'/>").expect("stated") - (origin - 25.0)).abs() < 1e-9);
+    // Sideways, along a circle, and along a curve.
+    assert_eq!(zero("<circle at='(x, 0)' r='9px' drag='x'/>"), None);
+    assert_eq!(zero("<circle at='(l*sin(theta), -l*cos(theta))' r='9px' drag='theta'/>"), None);
+    assert_eq!(zero("<circle at='(0, x^2/(1 [m]))' r='9px' drag='x'/>"), None);
 }

@@ -160,6 +160,14 @@ fn dragging_names_a_state_and_says_how_much() {
         &[],
     );
     inside(
+        "<g drag='y' drag-right='0.01 [m]' drag-zero='7'/><g drag='y' drag-up='0.01 [m]' drag-zero='1 [m]'/>",
+        "<g>;<g drag 0 Some(0) None>;",
+        &[
+            "`drag-zero` belongs to what moves up and down alone",
+            "the term `1 [m]` has the unit m, but a pure number is needed",
+        ],
+    );
+    inside(
         "<g drag='h' drag-up='1 [m]'/><g drag='k' drag-up='1 [m]'/><g drag='y' drag-up='1'/><g drag='y'/><g drag-up='1 [m]'/>",
         "<g drag parameter 0 Some(0) None>;<g>;<g>;<g>;<g>;",
         &[

@@ -4,6 +4,7 @@
 //! variables, equations and code. A [`Report`] says what was not carried over. Nothing of a file is executed.
 
 mod imported;
+mod importing;
 mod listing;
 mod originals;
 mod page;
@@ -17,12 +18,11 @@ mod simulation;
 mod translation;
 
 pub use imported::Imported;
+pub use importing::Importing;
 pub use originals::Original;
 pub use place::Section;
 pub use refusal::Refusal;
 pub use report::{Entry, EntryKind, Report};
-
-use translation::{Blocker, Solved};
 
 /// True if a file of this name is a simulation: `.ejss`, `_source.json`.
 pub fn is_simulation(name: &str) -> bool {
@@ -34,33 +34,17 @@ pub fn holds_simulation(bytes: &[u8]) -> bool {
     reading::Files::open(bytes).is_ok_and(|files| files.has_source())
 }
 
-/// Document of a simulation. `accepts`: checks a document; `Err` is the first error of it. A translation that is not accepted
-/// is replaced by one without units, then by one without its drawing, then by a listing.
+/// Document of a simulation. `accepts`: checks a document; `Err` is the first error of it.
 ///
 /// # Errors
 /// The reason why the file gives no document.
 pub fn import(bytes: &[u8], accepts: &mut dyn FnMut(&str) -> Result<(), String>) -> Result<Imported, Refusal> {
-    let (simulation, files) = reading::read(bytes)?;
-    let page = page::Page::new(&simulation, &files);
-    let mut report = page.report.clone();
-    let blocker = match Solved::new(&simulation, &files, &mut report) {
-        Ok(solved) => {
-            let mut message = String::new();
-            for (has_units, has_scene) in [(true, true), (false, true), (true, false), (false, false)] {
-                if has_units && !solved.has_units() || !has_scene && !solved.has_picture() {
-                    continue;
-                }
-                let mut report = report.clone();
-                let blocks = solved.document(&page.title, [has_units, has_scene], &mut report);
-                let imported = page.translated(&simulation, &solved, &blocks, has_units, report);
-                match accepts(&imported.document) {
-                    Ok(()) => return Ok(imported),
-                    Err(error) => message = error,
-                }
-            }
-            Blocker::Checker(message)
+    let mut importing = Importing::begin(bytes)?;
+    loop {
+        let imported = importing.candidate();
+        match accepts(&imported.document) {
+            Err(error) if imported.listed_because.is_none() => importing.refuse(error),
+            _ => return Ok(imported),
         }
-        Err(blocker) => blocker,
-    };
-    Ok(page.listed(&simulation, &blocker))
+    }
 }

@@ -25,6 +25,7 @@ const LONGEST_PROSE: usize = 500 << 10;
 const LONGEST_LISTING: usize = 350 << 10;
 
 /// Parts of the document that the model does not determine.
+#[derive(Debug)]
 pub(crate) struct Page {
     pub title: String,
     language: Language,

@@ -13,6 +13,7 @@ const MOST_PICTURE: usize = 150 << 10;
 const PORTION: usize = 1 << 20;
 
 /// Files beside a simulation; none if it came alone.
+#[derive(Debug)]
 pub(crate) struct Files {
     archive: Option<Archive>,
 }

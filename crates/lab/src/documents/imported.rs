@@ -4,8 +4,10 @@ use crate::app::App;
 use crate::documents::import_report::Report;
 use crate::documents::opening;
 use document::page::Source;
+use ejss::{Imported, Importing, Refusal};
 use js_sys::Uint8Array;
 use std::rc::Rc;
+use units::Language;
 use view::browser;
 use view::panel::tabs;
 use web_sys::File;
@@ -32,13 +34,8 @@ pub async fn open(app: App, file: &File) {
         return app.complain(format!("{} {name}", app.words().file_not_read));
     };
     let bytes = Uint8Array::new(&bytes).to_vec();
-    browser::breathe().await;
     let language = app.language.get_untracked();
-    let mut accepts = |text: &str| {
-        let opened = document::open(text, &[]);
-        opened.first_error().map_or(Ok(()), |error| Err(error.message.text(language).into_owned()))
-    };
-    let imported = match ejss::import(&bytes, &mut accepts) {
+    let imported = match import(&bytes, language).await {
         Ok(imported) => imported,
         Err(refusal) => return app.complain(format!("{name}: {}", refusal.words().text(language))),
     };
@@ -49,5 +46,24 @@ pub async fn open(app: App, file: &File) {
     if is_open(app, &report) {
         app.imported.set(Some(report));
         app.tab.set(tabs::WRITE);
+    }
+}
+
+/// Document of a simulation. The page answers between the steps.
+async fn import(bytes: &[u8], language: Language) -> Result<Imported, Refusal> {
+    browser::breathe().await;
+    let mut importing = Importing::begin(bytes)?;
+    browser::breathe().await;
+    importing.translate();
+    loop {
+        browser::breathe().await;
+        let imported = importing.candidate();
+        browser::breathe().await;
+        match document::open(&imported.document, &[]).first_error() {
+            Some(error) if imported.listed_because.is_none() => {
+                importing.refuse(error.message.text(language).into_owned());
+            }
+            _ => return Ok(imported),
+        }
     }
 }

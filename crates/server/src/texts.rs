@@ -101,12 +101,12 @@ pub fn stored(language: Language) -> [&'static str; 8] {
     language.say_all(
         [
             "What is stored",
-            "Stored: a pseudonym, the number of the seat, the answers with all attempts, settings of runs, records, measured points of films, fits, and the time of arrival of each part.",
+            "Stored: a pseudonym, the number of the seat, the document, the answers with all attempts, settings of runs, records and measured points of films with the names of their files, fits, and the time of arrival of each part. What you type is stored as it is: leave names out.",
             "Not stored, nor written to any log: name, mail, network address, kind of browser, films.",
-            "Answers to surveys are stored apart: without seat, without time, in no order.",
-            "It is stored on the computer on which the teacher has started the class, and nowhere else. The class ends there by itself after the number of days that the teacher chose (30 if nothing was said), and everything is erased, also when a backup is restored later.",
-            "My seat shows what is stored of you, saves it as a file, and erases it at any time.",
-            "The browser keeps the parts that are not handed in yet, and the key of your seat. There are no cookies.",
+            "Answers to surveys are stored apart, without seat and without time. The server cannot tell which are yours, so they are erased with the class only.",
+            "It is stored on the computer on which the class was started, or in a database that this computer uses. After the number of days that the teacher chose (30 if nothing was said) everything is erased there as soon as the server runs, and a backup that is restored later does not bring it back. Backups and copies that the teacher has made last until they are deleted.",
+            "My seat saves what is stored of you as a file, and erases it from the server at any time. Backups, copies, and a dashboard that is open meanwhile keep it.",
+            "The browser keeps your work, the parts that are not handed in yet, and the key of your seat; the work stays there after erasing. On a computer that others use, clear the data of this site at the end. There are no cookies.",
             "Names stay on the teacher's device, if the teacher types them beside the pseudonyms.",
         ],
     )

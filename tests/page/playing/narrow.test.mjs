@@ -17,7 +17,16 @@ async function open(lab, name) {
 /** Where something is. */
 const place = (lab, selector) => lab.page.locator(selector).first().boundingBox();
 
-for (const name of ["utube", "charge", "logistic-map", "gas", "pendulum", "string", "kepler", "two-tanks"]) {
+visit("on a phone a slim scene that is a scale of its plot stands beside it", PHONE, async (lab) => {
+  for (const name of ["tube", "utube"]) {
+    await open(lab, name);
+    const [scene, plot, bar] = [await place(lab, "#scene"), await place(lab, ".figures canvas:visible"), await place(lab, "#transport")];
+    assert.ok(scene.width > 150 && plot.width > 190 && plot.height >= 200, JSON.stringify([scene, plot]));
+    assert.ok(scene.x + scene.width <= plot.x && plot.y + plot.height <= bar.y, "one beside the other, the transport below");
+  }
+});
+
+for (const name of ["charge", "logistic-map", "gas", "pendulum", "string", "kepler", "two-tanks"]) {
   visit(`a phone shows the scene above one plot, both as wide as the window: ${name}`, PHONE, async (lab) => {
     await open(lab, name);
     const [scene, plot, bar] = [await place(lab, "#scene"), await place(lab, ".figures canvas:visible"), await place(lab, "#transport")];

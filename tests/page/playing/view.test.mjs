@@ -88,6 +88,8 @@ visit("controls are put under headings, which are moved, named and removed", asy
   await eventually(async () => assert.deepEqual(await words(), [controls[0], "Group", ...controls.slice(1)]));
   await runs(lab);
   await lab.tab("Explore");
+  // Three parameters are in sight, the others under More.
+  await lab.openMore();
   const group = lab.page.getByRole("group", { name: "Spring" });
   await eventually(async () => assert.equal(await group.locator(".parameter").count(), controls.length - 1));
   await lab.tab("Write");

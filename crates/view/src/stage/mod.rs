@@ -44,7 +44,7 @@ fn stage(app: App) -> HtmlSection {
     let body = div()
         .class(match aspect {
             aspect if aspect > WIDE => "stage-body wide",
-            aspect if aspect < SLIM => "stage-body slim",
+            aspect if aspect < SLIM && app.read(|play| play.level().is_some()) => "stage-body slim",
             _ => "stage-body",
         })
         .style(format!("--aspect:{aspect:.3}"))
@@ -67,7 +67,7 @@ fn stage(app: App) -> HtmlSection {
 /// Aspect (width / height) from which a scene is laid out above the plots instead of beside them.
 const WIDE: f64 = 1.15;
 
-/// Aspect (width / height) below which a scene has room beside the plots on a phone, too.
+/// Aspect (width / height) below which a scene that is a scale of its plot has room beside it on a phone, too.
 const SLIM: f64 = 0.75;
 
 /// Aspect (width / height) of the scene's view box; 1 without a fixed one.

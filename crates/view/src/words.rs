@@ -69,6 +69,7 @@ table_of_words! {
     show: "Show";
     dismiss: "Dismiss";
     footer: "Made with Meniscus. This page works offline and sends nothing to anyone.";
+    footer_of_class: "Made with Meniscus. This page is connected to the server of the class.";
 
     // Apparatus.
     apparatus: "Apparatus";

@@ -307,7 +307,7 @@
     if (seat.key) mine.append(make("span", {}, `${own.key}: `, make("span", { className: "key", textContent: seat.key })));
     mine.append(button(own.download, () => save("/api/mine", "my-class.json")), button(own.erase, async () => {
       if (!confirm(own.erase_sure)) return;
-      try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { storage.dropAll("waiting:"); leave(own.erased); } }
+      try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { storage.dropAll("waiting:"); storage.dropAll("sheet:"); leave(own.erased); } }
       catch { said = own.unreachable; show(); }
     }), stored());
     parts.push(fold("class-mine", own.more, mine));

@@ -12,6 +12,7 @@ pub mod worksheet;
 
 use crate::app::App;
 use crate::browser;
+use crate::page::class;
 use crate::panel::tabs::{EXPLORE, MEASURE, QUESTIONS, THEORY};
 use crate::views::*;
 use play::PagePart;
@@ -129,7 +130,7 @@ pub fn view(app: App, tabs: Vec<Tab>) -> HtmlSection {
     part("panel", "panel", words.panel)
         .child(buttons)
         .each(tabs, |tab| body(app, tab))
-        .child(footer().child(p().child(words.footer)))
+        .child(footer().child(p().child(if class::is_here() { words.footer_of_class } else { words.footer })))
 }
 
 fn head(app: App, tab: &Tab) -> HtmlButton {

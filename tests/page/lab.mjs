@@ -1,5 +1,14 @@
 // A person at the laboratory: finds things by what they are called, as a screen reader does, and does with them what
 // hands do. Every visit is without a network, and fails if the page asks anyone for anything or throws an error.
+//
+// | folder | tests |
+// |---|---|
+// | `playing` | simulations, player and courses in Chromium; the main path in Firefox |
+// | `measuring` | records, films, fits, hand-ins and classes |
+// | `writing` | editor, forms, drawing, publishing and sites |
+// | `lessons` | the class server with its students and teacher |
+// | `browsers` | browsers that are too old or just new enough |
+// | `films` | films with their truth, for `films.mjs` |
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

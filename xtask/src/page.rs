@@ -4,6 +4,20 @@
 //!
 //! The laboratory opens with the player, whose parts come first. Its own module, the documents, the editor and the template
 //! for published pages follow, so that a browser shows the simulation before it has received them.
+//!
+//! A page, with its WebAssembly and its documents, is a single HTML file that makes no request. The module is gzipped, and
+//! the browser inflates it; esbuild minifies scripts and styles. Documents in a page are encoded (`document::page::embed`) so
+//! that no text can close their element. The elements of the laboratory's page, in this order:
+//!
+//! | element | contents | used |
+//! |---|---|---|
+//! | `style`, `#bundle` | styles of the player, compiled opening document | before the first picture |
+//! | scripts, `#module` | `opening.js`, `boot.js`, the player's module with its script | before the first picture |
+//! | `#laboratory`, `style`, `#laboratory-glue`, `#library` | the laboratory's module and script, documents | in an idle page, or on request |
+//! | `#editor`, `#player` | editor, template of published pages without its module | on request |
+//!
+//! `boot.js` starts the player (`player/src/laboratory.rs`); tabs and buttons of the laboratory wait (`aria-busy`), and using
+//! one asks for it. In a site the elements are files of their own, and the player's module is the one of all its pages.
 
 use crate::wasm::{self, Host};
 use crate::{editor, steps};

@@ -1,5 +1,8 @@
-//! The catalogues of the texts in languages other than English, in the format of gettext. The program and the tests take
-//! their texts from here; pages carry the parts that they need, packed.
+//! The catalogues of the texts in languages other than English, in the format of gettext (`languages/*.po`). The program and
+//! the tests take their texts from here; pages carry the parts that they need, packed.
+//!
+//! - **Invariant:** no page depends on this crate. `cargo xtask texts` brings the catalogues up to date with the texts of the
+//!   code.
 
 use polib::po_file::{POParseOptions, parse_from_reader_with_option};
 use std::collections::BTreeMap;

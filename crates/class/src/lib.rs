@@ -12,6 +12,14 @@
 //! | [`share`] | shares with their intervals |
 //! | [`survey`] | the answers to a survey: tallies, frequent words, marked comments |
 //! | [`verify`] | hand-ins: making them, computing them again, and data that two of them share |
+//!
+//! A class server, a report and a dashboard count the grades of [`grading`], which needs no run (`play::Marker`). [`page`]
+//! draws for the program and for the dashboard of `lab/src/class`, which draws its parts one after the other (`room.rs`), so
+//! that no task lasts long. Assigned values are of `program` (`assigned`, `seating.rs`): a seat replaces the defaults of the
+//! assigned parameters, from which links, answers and restoring follow.
+//!
+//! - **Invariant:** no clock: the time of a hand-in comes in. Texts of a hand-in are bounded and shown as text.
+//! - **Invariant:** values are compared exactly only where [`program::BITS`] is equal.
 
 pub mod against;
 pub mod collection;

@@ -1,4 +1,11 @@
 //! The `meniscus` command line: a thin layer over the other crates that adds files, the terminal and a server.
+//!
+//! Each command is a module of its name: `run`, `check` (with `claims.rs` for `check --run`), `fitting`, `sweep`, `cycles`,
+//! `derivatives`, `track`, `authoring` (`new`, `import`, `format`), `export`, `site` (`build`), `serve`, `class`, `handing`,
+//! `lsp`. `build.rs` embeds the pages if they have been built.
+//!
+//! - **Invariant:** no half-written files. Output goes to a temporary file, which then replaces the target.
+//! - **Invariant:** no computation of its own: what computes is in crates that Python or the page use, too.
 
 mod arguments;
 mod authoring;

@@ -1,5 +1,28 @@
 //! The laboratory without a screen: a simulation, measured records and fits. What stands here is the wiring: which parts
 //! an operation changes, and what follows for the others.
+//!
+//! `Desk` owns a `Play`, the `Document` and parts, one per folder: `Records` (`records`), `MeasuredData` (`measured`),
+//! `Cycles`, `Films`, `Fits`, `Writing` and `Sketching` (`writing`). A part has private fields and holds no handle on the
+//! desk. Its operations get what they read as parameters, mostly an `OpenDocument` (document and simulation) or a `FitData`
+//! (that, records and films), and return `Changes`: the parts changed, events to announce, and a removal that can be undone.
+//!
+//! - `Desk::note` is the only place that folds `Changes`: changed records are drawn again and their cycles found again, then
+//!   come the counters of `Revision`, the announcements and the removal.
+//! - A change on which nothing else depends goes straight to its part:
+//!   `desk.change_records(|records, open| records.set_unit(open, ..))`, likewise `change_cycles`, `change_films` and
+//!   `change_fits`. The closure gets one part for changes, and the compiler keeps it from the others.
+//! - What involves several parts is a method of `Desk`: `work_on_film` lets the record of the film follow, `apply_fit` sets
+//!   zeros in records and values on the sliders, `replace_document` moves everything to another program, `adopt` takes the
+//!   work over from another desk.
+//! - Readers get a part with what it is shown with: `desk.records()`, `cycles()`, `films()` and `fits()` return
+//!   `ShownRecords`, `ShownCycles`, `ShownFilms` and `ShownFits`, which are read only.
+//! - Functions over several parts that change nothing by themselves stand outside of `Desk` and use its readers:
+//!   `workbook.rs`, `storing`.
+//! - `Desk::follow` brings residuals, the plot of the cycles and the outline up to the run. Call it before drawing. Removals
+//!   are numbered over desk and play together (`Play::number_removal`), so that `Desk::undo` takes back the last one of both.
+//!
+//! Measured data and cycles are drawn into plots and the scene of the simulation, so their operations that draw get
+//! `&mut Play`; its changes go into the revision of the simulation.
 
 use crate::announcement::{Announcement, Announcements};
 use crate::changes::{Changes, Revision};

@@ -13,6 +13,16 @@
 //!
 //! A [`Refusal`] is the error for rejected input; the state is then unchanged. Getters that return texts use the chosen
 //! language. No method panics; an index that does not exist is ignored or refused.
+//!
+//! Records belong to no document: opening another one recognises their columns again. What is kept for the next visit has two
+//! formats. The state of the simulation is the link of `play/src/share`; everything else is an item of the crate `saved`.
+//!
+//! - **Invariant:** no DOM, no clock, no storage. What the page can do is tested here and in `play` without a browser.
+//! - **Invariant:** stored text is not trusted: every index is checked before it is used, and records without room stay where
+//!   they are.
+//! - **Invariant:** `xtask/tests/tidy/parts.rs` holds the rules of the parts of `Desk` and `Play`: no type with methods that
+//!   change it has fields open beyond its folder, methods of `Desk` and of `Play` stand in one file each, and no type has
+//!   more than 40 public ones.
 
 mod announcement;
 mod changes;

@@ -1,4 +1,7 @@
 //! The open document, and documents opened from their texts, kept for the next work with the same ones.
+//!
+//! [`OpenedDocuments`] keeps documents by their texts. The desks of the hand-ins of a class share it one after the other, so
+//! that a document is opened once.
 
 use document::Document;
 use play::{Play, name_of};

@@ -1,9 +1,27 @@
 //! The simulation document: one Markdown file with prose, equations, scene, plots, presets, questions and checks, and further
 //! files that translate it.
 //!
-//! [`read`] gives the structure of a text, even with errors. [`open()`] also checks it and gives a program if the model has
-//! no errors. Neither fails: errors are [`model::Diagnostic`]s with their places. [`edit`] changes a text by its structure,
-//! [`format()`] its layout.
+//! [`read`] gives the structure of a text (front matter, blocks, syntax trees, all with places) and always succeeds.
+//! [`open()`] also checks it: the model first, then every other part against it. A faulty part is left out and reported; only
+//! an error in the model leaves no [`Document`]. Errors are [`model::Diagnostic`]s with their places.
+//!
+//! | module | content |
+//! |---|---|
+//! | `text` | lines, blocks and fences of a text; words of each kind of sentence (`grammar.rs`) |
+//! | `blocks`, `checks`, `prose`, `scene` | parts of a document: their syntax, and the parts of the program made from them |
+//! | [`edit`], [`format()`] | changes of a text by its structure; the one layout |
+//! | [`assist`] | what can stand at a place, and what a word means, for editors |
+//! | [`form`], [`drawing`], [`translating`], [`asked`] | a text as cells, as a drawing, with its translation, as questions |
+//! | [`card()`], [`Searchable`] | entry of a list of documents; search by words in all languages |
+//! | [`page`] | documents embedded in a page; `page::played` fills the player, for program and laboratory alike |
+//! | [`outcomes()`], [`resized()`] | what is kept of many runs; other sizes of families |
+//! | [`TEMPLATES`] | short documents to begin with, in each language (`templates/`) |
+//!
+//! - **Invariant:** the result is safe to show. Sanitising happens here, by lists of what is allowed, and nowhere else: see
+//!   `scene` for drawings and `prose` for text.
+//! - **Invariant:** one model. A translation supplies words; numbers, equations and answers come from the base document.
+//! - **Invariant:** an edit leaves every other byte as it is, or is refused. The test of [`format()`] compiles all documents
+//!   before and after.
 
 pub mod assist;
 mod blocks;

@@ -1,7 +1,22 @@
 //! Simulations of Easy JavaScript Simulations (`.ejss`) and WebEJS (`_source.json`) as documents.
 //!
 //! [`import`] reads every simulation: one with plain differential equations is translated, any other is listed, with its
-//! variables, equations and code. A [`Report`] says what was not carried over. Nothing of a file is executed.
+//! variables, equations and code. A [`Report`] says what was not carried over.
+//!
+//! | module | content |
+//! |---|---|
+//! | `reading` | one structure from both formats; `.ejss` is found by names of elements: many files are no well-formed XML |
+//! | `script` | the subset of JavaScript of the models |
+//! | `translation` | symbolic execution of the code, and the model, scene and plots made from it |
+//! | `listing`, `prose`, `page` | the simulation as text; descriptions as Markdown; the document around a model |
+//!
+//! [`import`] is given a function that checks a document, and takes the first of its candidates that has no error: with
+//! units, without, without the drawing, the listing. The tests make both formats from short texts
+//! (`tests/simulations/*.txt`), compare documents byte for byte, and run them beside values of an independent evaluator.
+//!
+//! - **Invariant:** nothing of a file is executed. Everything is bounded: bytes, elements, nesting, tokens, statements, the
+//!   size of a value.
+//! - **Invariant:** a difference to the original that the translation can see stands in the report.
 
 mod imported;
 mod importing;

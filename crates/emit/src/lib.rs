@@ -1,10 +1,39 @@
-//! WebAssembly for the steps of a model: whole steps of a method without dispatch. Steps of few operations are straight code without
-//! registers in memory; those of more are loops over lists in memory.
+//! WebAssembly for the steps of a model: whole steps of a method without dispatch.
 //!
 //! A module imports a memory, `block.memory`, with the block of numbers that [`engine::Layout`] or [`engine::WindowLayout`]
-//! describes, and the functions of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address of
-//! the block in bytes and the greatest number of steps or rows, and returns what [`engine::Compiled::run`] returns. All operations are
-//! done in the order of the interpreter and none is fused, so that the results have the same bits.
+//! describes, and the functions of [`Module::functions`], `function.0` and so on. It exports `run`, which takes the address
+//! of the block in bytes and the greatest number of steps or rows, and returns what [`engine::Compiled::run`] returns.
+//!
+//! | file | content |
+//! |---|---|
+//! | `methods.rs` | the loop over the steps of the fixed-step methods |
+//! | `window.rs`, `step.rs`, `control.rs`, `checks.rs` | the same of the Dormand-Prince method |
+//! | `lanes.rs` | rounds of the Dormand-Prince method over pairs of runs |
+//! | `body.rs`, `operation.rs`, `interpolation.rs` | formulas, single operations, tables |
+//! | `sink` | the function in the making, with its blocks and loops in `flow.rs` |
+//! | `arithmetic.rs` | instructions for each kind of `Values` |
+//! | `function.rs`, `calls.rs` | imported functions |
+//! | `routine.rs`, `runs.rs`, `states.rs` | functions, loops and order of the states of code with many operations |
+//!
+//! Elementary functions, the powers of the step control and the judgement of an interpolant are imported, so that they exist
+//! once. Values are numbers, or pairs of numbers of two runs in SIMD registers, so that runs side by side ([`side_by_side`])
+//! are made by the same code; functions are called for each number of a pair. A browser without SIMD refuses such a module,
+//! and its runs are made one by one. Rosenbrock's method, linear systems, counting variables and steps of too many operations
+//! stay interpreted, with the reason in the `Result`; `cargo xtask bench` prints it, and `cargo xtask bench emitted` measures
+//! emitted code alone.
+//!
+//! Steps of up to 6,000 operations are straight code with a local variable for each value. Those of more, as of a gas or a
+//! string, are loops over lists in the block (`sink/lists.rs`): what a method does for each state is written once
+//! (`Sink::each`), and the loop does two elements at a time in SIMD registers. The states are then in the order of their
+//! registers (`states.rs`), in which positions are consecutive, and `sink/rows.rs` stores them in the order of the model. The
+//! right-hand side is one or several functions that all stages call. The engine gives equal operations consecutive registers,
+//! so that each run of them is a loop; results that a single run reads are computed in its loop and never stored.
+//! [`module_of_lists`] makes such code of any listing, for tests. The tests and the fuzz target `emit` run modules in
+//! `wasmi`, and so does `cargo run -p emit --example fuzz -- 10`, which compares programs of numbered seeds for ten minutes.
+//!
+//! - **Invariant:** emitted code does the operations of the interpreter in its order, and no multiply-add is fused: runs have
+//!   the same bits.
+//! - **Invariant:** this crate only encodes; it runs nothing.
 
 mod arithmetic;
 mod body;

@@ -1,4 +1,6 @@
 //! Errors that prevent or stop a run.
+//!
+//! The message of an error takes the names from the model; on the command line, `places` of the document supply the span.
 
 use crate::{Method, Setup};
 use program::Model;

@@ -1,5 +1,12 @@
-//! Emitted code in a browser. An instance works on the memory of the module that this crate is part of, and calls the
-//! elementary functions of that module directly, without JavaScript between.
+//! Emitted code in a browser. An instance works on the memory of the module that this crate is part of. It finds the
+//! elementary functions in that module's table by their address, so that no JavaScript stands between.
+//!
+//! [`Compiler`] keeps the code of the last listings. The laboratory gives it to the time line of each document that it opens
+//! (`TimeLine::use_compiler`; `play` has the trait only, in `Motion`), and its workers make the steps of fits with it
+//! (`FitComputation::compile`). The player interprets; a run that it began goes on in emitted code when the laboratory takes
+//! it over.
+//!
+//! - **Invariant:** what is not compiled is interpreted, with the same bits; [`Fallback`] says why.
 
 use emit::{Function, Plain};
 use engine::{Compiled, Interpreted, LanesListing, Listing, Setup, SideBySide};

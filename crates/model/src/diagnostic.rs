@@ -1,5 +1,7 @@
 //! Diagnostics: what is wrong in a text, where, why, and what to do. A diagnostic is a value; the command line and the page
 //! render it in the language of the reader.
+//!
+//! A diagnostic has a code, a message, places, reasons and remedies. Terminal, JSON and page render the same value.
 
 use std::ops::Range;
 use units::{UnitError, Words, words};

@@ -1,4 +1,18 @@
-//! Files in ZIP archives and their XML as streams, with bounds on the memory that a hostile file can use.
+//! Files in ZIP archives and their XML as streams, with bounds on the memory that a hostile file can use. Workbooks, projects
+//! of Tracker and simulations of WebEJS are such archives.
+//!
+//! [`Archive`] has the directory, [`Part`] the expanding content of one file, [`Xml`] its tokens. [`Gathering`] asks for the
+//! bytes of an archive that are needed, so that one with a large film is not read whole.
+//!
+//! - **Invariant:** size, expansion ratio, length of a token and nesting are checked before anything is stored.
+//! - **Invariant:** no I/O: bytes come in, and missing ranges are named.
+//!
+//! ```
+//! use packed::{Archive, Defect, checksum};
+//!
+//! assert_eq!(checksum(b"123456789"), 0xcbf4_3926);
+//! assert_eq!(Archive::open(b"no archive".to_vec()).err(), Some(Defect::Damaged));
+//! ```
 
 mod archive;
 pub mod bytes;

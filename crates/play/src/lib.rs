@@ -19,6 +19,10 @@
 //!
 //! A [`Refusal`] is returned for input that cannot be accepted; the state is then unchanged. Getters that return texts use
 //! the chosen language. No method panics; an index that does not exist is ignored or refused.
+//!
+//! - **Invariant:** no data, no fits, no parsers, no DOM. Time comes in as [`TimeLine::tick`]; getters return what is shown.
+//! - **Invariant:** a refused input changes nothing and returns a [`Refusal`]. The one exception, a link that cannot be
+//!   restored in full, has a variant of its own. Everything in a link has a limit, and all its runs share one budget of work.
 
 mod announcement;
 mod basis;

@@ -1,5 +1,42 @@
 //! A simulation as its visitor has it: a program, a run of it, and the choices of the visitor. What stands here is the
 //! wiring: which parts an operation changes, and what follows for the others.
+//!
+//! | part | state |
+//! |---|---|
+//! | `Basis` (`basis`) | the program in the visitor's language: labels, texts, parsing of typed values and expressions |
+//! | `TimeLine` (`time`) | the run (`Course`), its clock, the rows for the plots, the ghost and the kept runs |
+//! | `Plots` (`plots`) | visibility, zoom, cursors, added plots; what is computed for plots that are no lines along the run |
+//! | `Values` (`values`) | readouts, values of the scene, the selected members of families, the outline |
+//! | `Controls` (`controls`) | presets and the part of the scene that is dragged |
+//! | `Answers` (`questions`) | answers and grades, and which values open questions hide |
+//! | `Survey` (`survey`) | answers to the survey, which no link, project or storage has |
+//! | `Claims` (`claims`) | the author's claims and their results |
+//! | `Removals` (`removed.rs`) | the numbers of removals, and the last one for undo |
+//!
+//! Each part has private fields and holds no other part. What it needs, such as the program or the run, is a parameter of its
+//! methods: mostly the `Basis`, or an `OpenRun` (program and time line). An operation that changes a part returns `Changes`:
+//! the parts changed, events to announce, and a removal that can be undone.
+//!
+//! - `Play::note` is the only place that folds `Changes`: another run gives the model its drawn curves, empties the plots and
+//!   forgets the magnitudes of values; a run that is played on releases what is dragged. Then come the counters of the
+//!   `Revision` that views compare, the announcements and the removal.
+//! - A change goes straight to its part: `play.change_run(|line, basis| line.keep(basis))`, likewise `change_plots`,
+//!   `change_values`, `change_answers`, `change_survey` and `change_claims`. The closure gets one part for changes, and the
+//!   compiler keeps it from the others.
+//! - `change_settings` gives `Settings`, the controls with what they act on: basis, time line and values of the scene. It
+//!   sets parameters by slider, text or preset, states, method, step and curves, drags (`controls/dragging.rs`), and presses
+//!   buttons.
+//! - What else involves several parts is a method of `Play`: `replace_program` puts another program in the place of the
+//!   present one while it runs, and what was chosen stays by name (`replacement` has the rules, `time/adopting.rs` moves the
+//!   runs); `restore` reads a link.
+//! - Readers get a part with what it is shown with: `Play::plots` gives `Figures`, `Play::values` gives `Shown`,
+//!   `Play::scene` gives `ShownScene`, `Play::grips` gives `Grips`.
+//! - Functions over several parts that change nothing by themselves stand outside of `Play`: `facts.rs`, `share/missing.rs`.
+//!
+//! Other crates extend the figures without `play` depending on them. `PlotId` names a plot. `Points` are points over the
+//! curves of a plot, `AddedPlot` is a further plot, and `Outline` is a second drawing of the scene with other values.
+//!
+//! Rows that are given up, by a restart or by continuing after a scrub, stay visible as the *ghost*, the previous run.
 
 use crate::announcement::{Announcement, Announcements};
 use crate::changes::{Changes, Outcome, Revision};

@@ -1,5 +1,7 @@
 //! Course that the page belongs to. The script of a course package (`class/src/course/course.js`) talks to the platform; this
 //! side says what is sent, gives the script the state, and restores what is stored.
+//!
+//! The state is given in texts of which each leaves out more, for platforms with little room.
 
 use crate::answers;
 use crate::words::{self, Words};

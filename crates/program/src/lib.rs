@@ -1,5 +1,26 @@
-//! The compiled form of a document, without source text and source positions: equations as a graph, drawing, plots,
-//! presets, questions, survey, checks and finished prose. The engine runs it; [`bundle`] writes and reads it.
+//! The compiled form of a document, without source text and source positions: what the engine runs and a page shows.
+//!
+//! [`Program`] holds the [`Model`] (equations as an expression [`Graph`]), the scene tree, plots, presets, questions, survey,
+//! checks, method, and one [`Edition`] of finished prose for each language. [`functions`] has the functions of the language
+//! and the rules for their dimensions. Evaluation, symbolic derivatives and [`Model::with_sensitivities`] are here too.
+//! [`bundle`] writes a program as bytes and reads it.
+//!
+//! - **Invariant:** no source text, no spans, no parsers.
+//! - **Invariant:** [`bundle::read`] checks every index, so that a damaged or hostile bundle cannot make the engine read
+//!   outside its model.
+//! - **Invariant:** `graph/evaluate.rs` alone defines the value of each operation.
+//! - **Invariant:** a change that moves the bits of a result raises [`BITS`] and adds a line to `crates/probe/bits.txt`.
+//!
+//! ```
+//! use program::{Graph, Node};
+//!
+//! let mut graph = Graph::default();
+//! let (two, three, x) = (graph.constant(2.0), graph.constant(3.0), graph.insert(Node::State(0)));
+//! let six = graph.multiply(two, three);
+//! assert_eq!(graph.as_constant(six), Some(6.0));
+//! // Equal expressions are one node.
+//! assert_eq!(graph.add(x, six), graph.add(six, x));
+//! ```
 
 mod assigned;
 mod bandwidth;

@@ -1,5 +1,11 @@
-//! The module of the Python package in Pyodide: the requests of `crates/requests`, through JavaScript. `core.py` beside it loads the
-//! module and gives it the files that Python sees.
+//! The module of the Python package in Pyodide: the requests of `crates/requests`, through JavaScript (`wasm-bindgen`).
+//!
+//! `core.py` beside it loads the module and gives it the files that Python sees: Pyodide's own toolchain would be needed for
+//! the module of `crates/python`. Documents have numbers here, which Python closes. Steps of runs are emitted code (`host`).
+//! The module is compiled while Python imports it; Chromium allows that outside workers up to 8 MB. The wheel,
+//! `py3-none-any`, has the Python sources of `crates/python`.
+//!
+//! - **Invariant:** the same requests, replies and bits as in `crates/python`.
 
 mod surroundings;
 

@@ -1,5 +1,16 @@
-//! The compiled part of the Python package, `meniscus._core`: the requests of `crates/requests`, and Arrow's C interface. The
-//! classes are in the Python sources, `meniscus`. All work is done without the lock of the interpreter.
+//! The compiled part of the Python package, `meniscus._core`: the requests of `crates/requests`, and Arrow's C interface.
+//!
+//! The classes, with their types and documentation, are Python sources, `crates/python/python/meniscus`. They write requests,
+//! and leave everything else to `meniscus._core`, of which there are two: this crate (`pyo3`, built by `maturin` into one
+//! wheel for all versions of Python) and `crates/pyodide`. Columns leave as bytes of Python, which arrays of numpy and
+//! Arrow's C interface (`arrow-array`) share.
+//!
+//! `cargo xtask python` makes both wheels (`xtask/src/python.rs`, `xtask/src/pyodide.rs`), deflates them by zopfli
+//! (`xtask/src/wheel.rs`), 3 % smaller than maturin does, and runs `tests`; it is a part of `cargo xtask test full`.
+//! `everywhere.py` computes in this Python and in Pyodide (in Node, from `tests/pyodide`) and must give the same text
+//! everywhere. The crates are not among the default members, because nothing but Python can load them.
+//!
+//! - **Invariant:** all work is done without the lock of the interpreter.
 
 mod arrow;
 mod surroundings;

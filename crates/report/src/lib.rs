@@ -1,7 +1,14 @@
-//! Reports of a fit: one printable HTML page, a workbook, CSV and figures, in English and Spanish.
+//! Reports of a finished fit, or of several ranked ones: one HTML page that prints well, a workbook, CSV and SVG figures, in
+//! every language of the interface.
 //!
-//! All are made from a finished [`analysis::fit::Outcome`] and its document. Nothing else is computed, and no file is
-//! read or written. The page contains no script and makes no request.
+//! All are made from a finished [`analysis::fit::Outcome`] and its document, a [`Report`]. [`FitReport`] is a fit as rows,
+//! statistics and sentences in one language: the HTML page, the workbook, the text of the program, its JSON and the
+//! laboratory's panel print it and choose no sentence of their own. `film` draws the films of the records, or a tracked film
+//! on a page of its own.
+//!
+//! - **Invariant:** nothing else is computed. Every number in a report comes from the fit's outcome and is only rounded.
+//! - **Invariant:** no file is read or written. The page contains no script and makes no request; `markup.rs` escapes every
+//!   name that comes from a file or document.
 
 mod doubt;
 mod drawing;

@@ -12,6 +12,21 @@
 //! | [`shelf`] | synchronisation of the items of a page with its storage |
 //!
 //! The types of [`mod@format`] are not those of the laboratory, so that a change there does not change what is stored.
+//!
+//! An [`Item`] is a record, the work on a film, a fit or an answer as one JSON object with the version of the format and the
+//! time when it was first stored. Items are stored one by one, so that two open pages do not overwrite each other's. A
+//! project is a file of documents, a state, and items, into which it does not look.
+//!
+//! - **Invariant:** no DOM, no clock; a storage comes in as a trait ([`Storage`]).
+//! - **Invariant:** stored text is not trusted. Size and nesting are bounded. Readers ignore fields that they do not know,
+//!   and leave items of a later version where they are. A new field needs a default; only one that changes the meaning of
+//!   others needs another version.
+//!
+//! ```
+//! use saved::project::{Project, ProjectError};
+//!
+//! assert_eq!(Project::read("no project"), Err(ProjectError::Unreadable));
+//! ```
 
 pub mod carried;
 pub mod format;

@@ -11,6 +11,16 @@
 //!
 //! Everything that is shown is a fold over an append-only log. A part of a hand-in is acknowledged when it is on disk, and sending
 //! it again adds nothing.
+//!
+//! The server is axum over hyper, SQLite or Postgres, and rustls. [`http`] gives each seat and each network its part of
+//! streams, joins and memory for large bodies (`http/limits.rs`). Pages without the server contain none of it.
+//!
+//! - **Invariant:** no physics. What is shown is a fold over the log, whatever the order of arrival and however often a part
+//!   was sent.
+//! - **Invariant:** no cookie, and no token in an address: tokens stand in `Authorization`, the store has their hashes. No
+//!   network address is stored or logged.
+//! - **Invariant:** what one server has answered holds on every server before the same store from then on. No text contains
+//!   the password of a database.
 
 pub mod class;
 pub mod codes;

@@ -1,4 +1,13 @@
 //! Pages for students and teacher: the pages of Meniscus with a script of their own, compressed once.
+//!
+//! They are the page of the laboratory or the player with a script of their own, which `cli` hands over. `student.js` asks
+//! the page for the parts of its hand-in by one call (`view/src/page/class.rs`), and keeps those that have changed until they
+//! are acknowledged; after joining, and when another device has used its numbers, it passes the hand-in of the server to the
+//! page, which merges (`Answers::merge`). `teacher.js` passes hand-ins as files to `lab/src/class/live.rs` by events of the
+//! window. `bar.js` makes the line of the class in both; its height is `--over` in the page's styles, which keep it free.
+//! `stream.js` reads streams and gives up silent ones by the clock, which goes on while a computer sleeps.
+//!
+//! `outbox.js` keeps the parts that the server does not have yet in the storage of the browser.
 
 use crate::texts;
 use axum::body::Bytes;

@@ -1,4 +1,10 @@
 //! Handle shared by all views: access to the simulation, and signals for its changes.
+//!
+//! [`App::read`] and [`App::act`] reach the `Play`. [`App::act`] then compares revisions ([`App::publish`]), raises the
+//! signals in `Changes`, and asks for a frame. Another document rebuilds the page (`App::rebuild`); another program while its
+//! text is written rebuilds the stage and the tabs (`App::rebuild_program`), except a `Tab::lasting`, which holds the editor.
+//! [`Host`] is what a page is around these views: where its `Play` is, what it brings up to the run before a drawing, what it
+//! announces.
 
 use crate::browser;
 use crate::frame::Nodes;

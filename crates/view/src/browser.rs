@@ -1,5 +1,11 @@
 //! Browser functions that may fail: storage, clipboard, files. A refusal is returned and never causes a panic. Pages
 //! opened from `file://`, in private mode or in a frame are refused many of these functions.
+//!
+//! What stays on the main thread and takes long is divided into tasks of the browser ([`breathe`]): in the laboratory the
+//! theories of a ranking (`fit/starting.rs`), the comparison of periods (`fit/theories.rs`), files of records
+//! (`measuring/intake.rs`), a dropped document (`documents/opening.rs`). After each pause the work looks whether it is still
+//! wanted: by a number or question that the last wish has set, and `is_alive` for the signals of its views.
+//! `tests/page/measuring/long-tasks.mjs` measures the tasks.
 
 use crate::views::{document, window};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array};

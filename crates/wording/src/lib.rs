@@ -1,5 +1,7 @@
 //! The macros `words!` and `say!`, which `units` exports. They read the places of an English template when the program is
 //! compiled, so that a place without a value, or a value without a place, is an error there.
+//!
+//! - **Invariant:** the text in the code is the key of the catalogues; nothing is translated when the program is compiled.
 
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 

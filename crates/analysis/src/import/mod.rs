@@ -1,5 +1,16 @@
 //! Import of delimited text as a table. Delimiter, decimal sign, header, units, clock times, bodies and independent
 //! variables are recognised automatically.
+//!
+//! `head` reads the lines before the first row. Which of them has names, which has units and which is a comment
+//! (`head/block.rs`) follows from the lines and the numbers below together. A heading is a name, a power of ten and a unit
+//! (`label.rs`, `power.rs`); a unit that depends on the name is chosen by it (`meant.rs`). Headers and titles between the
+//! rows begin sections, which are joined or become runs (`sections.rs`). `times` reads dates and clocks; `doubts.rs` refuses
+//! what may mean something else. Texts in another form (`forms`) are first rewritten as rows. Files of instruments are a
+//! layer of their own (`device`): `known` describes each by data, a few rules read them all into sections, and
+//! `device/table.rs` joins these.
+//!
+//! Each [`Column`](crate::table::Column) carries its [`Origin`](crate::origin::Origin): heading, number in the file, source
+//! of the unit, text cells, role.
 
 mod between;
 mod cells;

@@ -8,6 +8,9 @@
 //!
 //! A file is read in slices and as a stream. Memory is bounded by the size of the file or, in an archive, by its allowed
 //! expansion.
+//!
+//! A [`Project`] has pixels, calibration and times; its table is a text that [`import`](crate::import) reads as that of a
+//! sheet.
 
 mod builder;
 mod clip;

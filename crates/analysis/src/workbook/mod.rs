@@ -3,6 +3,9 @@
 //!
 //! A workbook is read in slices and as a stream: only the lines of one sheet are in memory. The expanded size is bounded
 //! before anything is expanded, and the position of a cell is checked before anything is written.
+//!
+//! XLS is read from a copy of its stream; no chain of sectors and no text outgrows the file. Only the program constructs that
+//! reader, so the page does not contain it. `calamine` checks our files in tests.
 
 mod files;
 mod moment;

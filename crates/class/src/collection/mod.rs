@@ -1,5 +1,9 @@
 //! The hand-ins of a class. They are added as they arrive, and computed again one after the other in small steps, so that a
 //! page reacts in between.
+//!
+//! The last hand-in of each sender counts. `Collection::advance` computes for one trial of a fit or one comparison of data;
+//! all hand-ins are computed before data are compared. Everything shown is a fold over the finished `Work`s: curves,
+//! questions, who is stuck.
 
 mod computed;
 mod curves;

@@ -8,6 +8,8 @@
 //!
 //! `course.js` is common: it asks the page for its state and stores it. The script before it defines `platform`, which talks to
 //! one kind of platform. `policy.js` lets the page of a cmi5 package ask the addresses of its launch; no other page asks anyone.
+//!
+//! The scripts ask the page for its state (`player/src/course.rs`).
 
 mod manifest;
 

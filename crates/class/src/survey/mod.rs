@@ -1,6 +1,8 @@
 //! The answers of a class to a survey.
 //!
 //! Nothing is shown of an item with fewer than [`LEAST`] answers, and no result depends on the order of the sheets.
+//!
+//! `page.rs` makes the sections of page and dashboard.
 
 mod marks;
 pub mod page;

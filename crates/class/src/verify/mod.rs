@@ -2,6 +2,14 @@
 //! and seed give the same bits everywhere, the values can be computed again from the work and compared exactly.
 //!
 //! This shows that the values follow from the data. It does not show who measured the data or did the work.
+//!
+//! `desk::facts` gives the values that follow from a work, `saved::hand_in` holds them beside the work. `Recomputation` opens
+//! the work in a desk of its own and computes them again, in slices where a page does it itself, from a `WorkOrder` in a
+//! worker (`Calculator`). `compare` (`verdict.rs`) lists what differs by part, item and quantity. Facts have identifiers
+//! (`saved::hand_in::quantity_text` has their words). `HandIn::open` reads a hand-in in each of its forms; a report is a page
+//! that carries one (`saved::carried`), and all of it but the data is stated, by head, style sheets and sections. A fit is
+//! repeated from its saved numbers both when the hand-in is made and when it is verified, so that the bits are equal.
+//! `copies.rs` finds data that two hand-ins share.
 
 mod copies;
 mod difference;

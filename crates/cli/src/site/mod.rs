@@ -1,5 +1,8 @@
 //! `meniscus build`: a web site of all documents in a folder. Its pages share styles, scripts and modules whose names
 //! contain the hash of their content. A service worker caches all files for visits without a network.
+//!
+//! `parts.rs` takes the built pages apart into files that all pages of a site share. `folder.rs` writes them, the service
+//! worker last; `worker.js` keeps them in the browser.
 
 mod collect;
 mod curve;

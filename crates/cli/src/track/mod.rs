@@ -1,4 +1,8 @@
 //! `meniscus track`: positions from the frames of films.
+//!
+//! `opened.rs` reads what the file says in ranges, `decoding.rs` takes pixels from `ffmpeg` (as Y4M, so that both kinds of
+//! film have one reader), `following.rs` passes them to `film::tracking::Following`, `report.rs` hands over what `--report`
+//! shows. Planes stay as the camera stored them, since a rolling shutter reads stored rows; clicks and results are turned.
 
 pub mod arguments;
 mod carrying;

@@ -2,6 +2,32 @@
 //!
 //! One film is open at a time. Coordinates are px of the upright picture, `x` to the right and `y` down from the corner
 //! of the first pixel. Frames count from 0 in order of presentation.
+//!
+//! A `Work` is what a person has said of a film (what is followed, resting marks, time base, lengths) and the tracks in
+//! numbers. The `Clip` of the open film has the times of the container, and its `film::tracking::Following` asks for frames,
+//! takes them as they are stored, and computes in portions. It stays for corrections (`anchor_surface`), which need no
+//! frames. What was found at an earlier visit is not computed again: only strips are read (`take_up_tracking`). A film itself
+//! is never stored: it is known again by size and hash of its first MiB.
+//!
+//! From film to record:
+//!
+//! 1. `opening.rs`: `Films::open` finds the work on the film, or begins one. `Films::follow` takes the clicks,
+//!    `begin_tracking` makes a `film::tracking::Plan` of them in stored pixels (`plan.rs`).
+//! 2. `tracking.rs`: as long as `wanted_frame` names one, the page decodes it and calls `give_frame`. `Following::take`
+//!    corrects for the camera (`Marks`) and keeps strips of tubes (`Column::take`) or the pixels around bodies
+//!    (`Body::take`).
+//! 3. After the last frame `film::timing::repeats` may ask for a second reading without repeated pictures. Then
+//!    `advance_tracking` computes path, refinement, exposure, readout and standard errors.
+//! 4. `found` (`plan.rs`) turns the tracks upright. `record_to_write` (`record.rs`) makes columns of them by
+//!    `film::table::Table` and the `Calibration` that `Films::calibrate` has set, and writes them as CSV.
+//!    `Desk::write_film_record` inserts or replaces the record, so that inspection, recognition, cycles and fits treat it as
+//!    any other. A change of lengths or times replaces its table in place.
+//! 5. `Record::errors_as` gives fits the columns `sigma_`, and `scale_error` of the table the error that all lengths share, a
+//!    line above the headings (`analysis::scale_line`): `fit/task/scale.rs` of `analysis` makes a number with a prior of it.
+//!
+//! `project.rs` takes the film in a project of Tracker, with its positions and axes. `recipe.rs` has all that decides the
+//! film of a simulation, and `truth.rs` compares tracks with where the parts of the scene were. `overlay.rs` goes the other
+//! way, from the model to pixels and from its time to a frame. `reporting.rs` gives a report what it shows of a film.
 
 mod calibrating;
 mod clip;

@@ -1,4 +1,8 @@
 //! Fits: settings, queue, results, application to the sliders, reports.
+//!
+//! Fits are computed by `Workers` (`workers.rs`): a desk gives out a `FitWork`, which needs nothing else, and takes
+//! `FitNews`. Results are taken in the order of the queue, so that they do not depend on the number of workers. `InProcess`
+//! computes here, one trial at a time.
 
 mod applied;
 mod choices;

@@ -1,4 +1,11 @@
 //! Measured values beside the simulation's: points over curves, residuals, and the outline in the scene.
+//!
+//! `MeasuredData::renew` (`points.rs`) converts each column in use to SI (`Record::series`), subtracts the origin of time and
+//! the offset, and keeps the result. `begin_residuals` empties the plot of the residuals, an `AddedPlot`. In each frame
+//! `Desk::follow` calls `truncate_residuals` if the run has given up rows, and then `follow_residuals`. For each measured
+//! time up to the front, `TimeLine::state_at` interpolates the run between rows (`engine::Run::interpolate`),
+//! `engine::Readings` evaluates the measured quantity, and the difference goes into the series. Long records take several
+//! frames (`MeasuredData::lags`).
 
 mod curves;
 pub(crate) mod data;

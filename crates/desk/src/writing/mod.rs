@@ -1,4 +1,8 @@
 //! Editing of a document: the texts in the editor, their findings, and whether they are the running ones.
+//!
+//! `Desk::write` checks a change; texts with no more errors than those that run take their place (`Play::replace_program`),
+//! and what is measured follows. Otherwise the last good version runs on. `versions.rs` says which earlier versions stay,
+//! thinned with age, and counts changed lines.
 
 mod completion;
 mod mark;

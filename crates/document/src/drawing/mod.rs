@@ -2,6 +2,10 @@
 //!
 //! [`read`] gives the elements and their grips from the text alone. [`Sketch`] computes their places in the picture.
 //! [`crate::edit`] makes the changes.
+//!
+//! A sketch builds the scene once more, with `scene/space/marks.rs` taking notes of the places. `edit/drawing` moves, sizes,
+//! turns and orders elements. What is moved keeps what it follows: a distance is added to the expression
+//! (`edit/drawing/distance.rs`).
 
 mod component;
 mod followed;

@@ -3,6 +3,9 @@
 //! Each function takes the [`Outline`](crate::Outline) of a text and returns edits for [`apply`]. An edit is refused if it
 //! would change the meaning of the rest of the text: a closing fence inside a block, for example, would end the block
 //! early.
+//!
+//! [`set_cell`] refuses a text that would not be read back as that one cell. [`set_translation`] writes one text of a
+//! translation; [`set_plot`], [`set_label`] and others change plots, controls with their groups, and values.
 
 mod blocks;
 mod cell;

@@ -1,5 +1,8 @@
 //! Form view of the model: rows of cells for parameters and initial values, and the text of every other statement, each
 //! with its place. [`crate::edit`] changes a cell by its place.
+//!
+//! Cells are nodes of the syntax tree, so they exist while one holds something wrong. [`plots()`] and [`shown()`] give the
+//! same for plots, controls with their groups, and values.
 
 mod cells;
 mod plots;

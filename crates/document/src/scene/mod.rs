@@ -1,4 +1,9 @@
 //! The drawing: SVG with `{expressions}`, restricted to safe elements and attributes.
+//!
+//! The page builds its nodes from the scene tree and never from the author's text. A scene may use `url(` in one form only,
+//! `url(#id)` for a paint, clip or marker of the same scene. The page shows a scene in a shadow tree: its ids, classes and
+//! rules stay there. The shapes of a clip are joined to one path (`clip.rs`), because WebKit clips by a path only where there
+//! is one.
 
 mod allowed;
 mod amounts;

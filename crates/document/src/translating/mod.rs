@@ -1,4 +1,6 @@
 //! Texts of a document with their translations. [`crate::edit::set_translation`] changes one.
+//!
+//! Texts of both files are matched by keys that both have.
 
 pub(crate) mod edition;
 pub(crate) mod translation;

@@ -1,4 +1,9 @@
 //! Translation of plain models: one system of ordinary differential equations with single values.
+//!
+//! Code is executed symbolically (`run.rs`): which value each variable has behind a page, as an expression, so that order,
+//! `if` and `+=` come out as they act. Phases differ in what a name means: at the start, in a rate, in a fixed relation, in
+//! an event. What has no value carries the reason with its place, and so does everything that needs it. Where the states need
+//! it, the simulation is listed and not translated.
 
 mod blocker;
 mod branches;

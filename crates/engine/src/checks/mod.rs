@@ -1,4 +1,8 @@
 //! Runs a program to test the claims of its author ([`program::Check`]).
+//!
+//! [`Checking`] makes one run for the claims with the same parameters, and beside it a finer one where a claim is about the
+//! step. A `Judge` follows each claim and keeps the moment that speaks most against it. The work of all claims is bounded and
+//! can be divided, so that command line and page use the same code. Rows that have been read are dropped.
 
 mod judge;
 mod outcome;

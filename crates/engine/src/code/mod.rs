@@ -1,6 +1,12 @@
 //! Code of a routine, and the register machine that runs it. The results do not depend on the platform, to the bit: the
 //! four operations and the square root are exact by IEEE 754, other functions are [`program::Unary::evaluate`] and
 //! [`program::Binary::evaluate`], and no multiply-add is fused.
+//!
+//! Of a [`Routine`](crate::Routine), a prologue runs when a parameter changes, a body at every evaluation. It evaluates one
+//! row or sixteen at a time, with the same bits. Sixteen rows, and the decompositions of a fit, are computed in the widest
+//! registers of the processor ([`crate::run_wide`]), except in pages. Operations that repeat over neighbouring registers
+//! become one instruction, a `Column`, and from 32 states on those of equal order stand side by side (`Equations::order`): a
+//! chain of masses costs hardly more than the loop one writes by hand.
 
 pub(crate) mod routine;
 

@@ -1,4 +1,22 @@
 //! Steps in compiled form: code that is made outside of the engine, with the bits of the interpreter.
+//!
+//! [`Stepper::listing`](crate::Stepper::listing) gives the operations of the right-hand side, the method and the places of
+//! all numbers (`layout.rs`) to a [`Compiler`], and `use_compiled` takes what it makes, [`Compiled`], code that runs over one
+//! block of numbers. A run can change over to it at any time.
+//!
+//! Fixed-step code makes up to 256 steps in one call where no event, switch or press can interrupt them
+//! (`Surfaces::is_smooth`). Code of the Dormand-Prince method makes a *window* (`window.rs`): steps with step control, rows,
+//! and the checks of every interval between them that no event, switch or timed change acts (`events/ahead.rs`,
+//! `events/interpolant.rs`). It returns where one could; the engine looks at that interval itself, locates and acts. Rows and
+//! steps are taken one by one, with the counters of work that the interpreter would have (`methods/stepper/ahead.rs`), so
+//! that pauses and checkpoints lie at the same rows. Whatever changes the stepper discards the rest. `Listing::still` has the
+//! states with the constant rate 0, such as those that only remember; code leaves out their sums.
+//!
+//! Runs can be made side by side (`lanes.rs`, trait [`SideBySide`]): 64 runs, with the numbers of each two of them next to
+//! each other. Code of a fixed-step method (`fixed_lanes.rs`) makes each step for all pairs before the next one and computes
+//! what is read at its rows; nothing may end a step there. Code of the Dormand-Prince method (`adaptive_lanes.rs`) makes
+//! rounds over the pairs. The compiler offers them ([`Compiler::side_by_side`]), so that a page without a compiler contains
+//! nothing of it. A run that fails is made again alone. Plots over a parameter use them (`play/src/plots/sweep/runs.rs`).
 
 mod adaptive_lanes;
 pub(crate) mod block;

@@ -9,6 +9,14 @@
 //! t > 5 [s]` is false at 5 s and becomes true right after, with or without the action. The state before the action is
 //! extrapolated linearly to where the condition is true. If the state after the action, extrapolated as far, also fulfils
 //! it, the action has not prevented the crossing, and the event is used up.
+//!
+//! Switches are what jumps or bends in the equations ([`program::Model::held`]): each keeps its value during a step, and the
+//! step ends where the true value changes. In a model without them nothing is different, to the bit. `Surfaces` joins the
+//! switches with the events, `Timetable` computes beforehand what depends on time alone, and `Looks` finds where within a
+//! step to look, so that nothing is skipped that is over before its end. Where it cannot promise that, the run has a
+//! [`crate::Notice`]. A held branch may have no value beyond its corner: `methods/stepper/corner.rs` shortens such a step;
+//! compiled code and lanes leave it to the engine. A switch at which the rates are continuous, by their form
+//! (`program/src/model/continuity.rs`), is no jump: nothing is lost where it is skipped.
 
 pub(crate) mod ahead;
 pub(crate) mod crossing;

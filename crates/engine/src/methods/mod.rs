@@ -1,4 +1,9 @@
 //! Integration methods, their linear algebra, and the stepper that moves from grid point to grid point.
+//!
+//! Linear systems, of coupled equations of motion and of the stiff method, are dense for small models and banded where each
+//! equation has few neighbours (`Sparse`). Rows of the Dormand-Prince method come from its dense output. The stiff method
+//! ends a step on every row, because its dense output loses order where a stiff part forces the solution. Unit tests check
+//! coefficients by their order conditions.
 
 pub(crate) mod adaptive;
 pub(crate) mod banded;

@@ -1,4 +1,6 @@
 //! Conversion of pixels to metres.
+//!
+//! A calibration maps pixels to metres and back: scale, axes, rectangle in perspective, parallax.
 
 mod notes;
 mod rectangle;

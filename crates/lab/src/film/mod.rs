@@ -1,4 +1,9 @@
 //! Films in the page: decoding, display on the stage, and the panel. Tracking belongs to the desk.
+//!
+//! `access` is all that knows how a browser decodes. `signals.rs` holds what views track, `state.rs` what the desk says of
+//! the open film. `tools.rs` says what a click on the film means, `tracking.rs` drives the desk's tracking in slices,
+//! `together.rs` keeps the run at the time of the frame shown. `stage.rs` puts the film in the place of scene and transport
+//! (`view::Host::picture`), `acts` are the four steps in the panel, `filming` is the virtual camera.
 
 mod access;
 pub mod acts;

@@ -1,5 +1,9 @@
 //! Library: documents contained in the page besides the one it opens with, namely other simulations and theories of a
 //! damped liquid column.
+//!
+//! `list.rs` shows the documents as cards, behind those that were written in this browser (`own.rs`), and `search.rs`
+//! searches them. `pictures.rs` opens the documents whose cards are in sight, one in a frame, and lets a picture move while
+//! its card is attended to; only so many exist at once, and none once the library is closed.
 
 pub mod list;
 mod own;

@@ -1,4 +1,8 @@
 //! Publishing dialog, with all ways to export a document from the laboratory.
+//!
+//! Link and QR code, page, frame, files. The player without a simulation and without its module stands in the page deflated
+//! (`document::page::PLAYER`), or in a site in a file of its own; `page.rs` fills it as `meniscus export` does. The published
+//! page gets the player's module from the element `#module`.
 
 mod files;
 mod frame;

@@ -1,4 +1,20 @@
 //! The tab *Write*: the texts of the open document in an editor, their diagnostics, and new documents.
+//!
+//! `crates/lab/editor` has CodeMirror and what it needs of Meniscus: colours and proposals; its texts come from the
+//! catalogues. xtask bundles it with esbuild. The bundle stands in the page deflated (`document::page::EDITOR`) and is
+//! inflated and started when the tab is first opened; in a site it is a file of its own, because pages there run no script of
+//! their own. CodeMirror adds its styles as `<style>` elements, which the policy of both allows.
+//!
+//! The editor counts places in UTF-16 and knows no meaning. Each text goes to `Desk::write`: at each key where the last check
+//! took no more than 100 ms, and otherwise when its writer has rested for 150 ms. Marks and proposals come back. `panels.rs`
+//! has the forms in which the document is written besides: `model`, `view`, `questions`, `translation.rs`. All of them change
+//! the texts through the editor (`typing.rs`), also one that it does not show, so that its history takes everything back; the
+//! editor's text is the only one, and each view is read from it again. Views are built for the shape of the model and stay
+//! while a statement is typed, whatever it becomes on the way.
+//!
+//! `insight.rs` explains what is under the cursor. What was written is in the step of the history (`documents/visited.rs`),
+//! with its draft where that does not run, and in the storage (`kept.rs`), where a document that another page has changed
+//! meanwhile is kept beside this one. `versions.rs` makes versions of the text before changes.
 
 mod briefs;
 mod changes;

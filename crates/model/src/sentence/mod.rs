@@ -10,6 +10,10 @@
 //! A [`Grammar`] lists the words of a kind of sentence. They are not reserved: a word is a keyword only after a value or
 //! before one, outside parentheses, brackets and texts; elsewhere it is the name of a quantity. Only `in` cannot be a name. The operands are read by
 //! [`crate::parse_expression`].
+//!
+//! Lexemes cover a text without gaps. A [`Sentence`] has title, colon and phrases, a phrase an operand and clauses
+//! (`against t`), all with places. The words of each kind of sentence stand in `document/src/text/grammar.rs`. `at at end`,
+//! for example, is the quantity `at` at the end of a run.
 
 mod lexeme;
 mod phrase;

@@ -1,4 +1,6 @@
 //! Questions: the user's answers and their grades.
+//!
+//! `grading.rs` makes every grade, from an answer, its `Conditions` and the seat.
 
 mod answer;
 mod answered;

@@ -9,6 +9,8 @@
 //! | `height` | `content`: the page is as high as its content and reports this height to its parent |
 //!
 //! Other fields are ignored. The state stays in the fragment, as in every link.
+//!
+//! Player and laboratory read the same options.
 
 use units::Language;
 use units::markup::escaped;

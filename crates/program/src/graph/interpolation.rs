@@ -1,4 +1,8 @@
 //! Functions given by a table: piecewise polynomials.
+//!
+//! An [`Interpolation`] is a polynomial between each two points. It is computed in two nodes: `Node::Piece`, the number of
+//! the piece in which the argument lies, which changes at the points as a `floor` does, so that steps end there; and
+//! `Node::Interpolated`, the value of that piece, which is smooth.
 
 use serde::{Deserialize, Serialize};
 

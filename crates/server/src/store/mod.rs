@@ -10,6 +10,16 @@
 //!
 //! Both take up to 256 waiting changes into one transaction and answer each when the transaction is on disk. Their tables are the
 //! same (`sqlite/schema.rs`, `postgres/schema.rs`).
+//!
+//! The table of events is append-only, `event(class, seat, seq, at, kind, body)`, unique by the first three. Nothing outside
+//! of this folder distinguishes the two stores.
+//!
+//! With Postgres, memory is a copy of the database that is brought up to date before each request: `Classes::catch_up` asks
+//! `Store::news` for everything after a `Cursor`, once for all requests that wait at that moment. The table `change` names
+//! classes and seats that have changed; `LISTEN` only wakes those who follow streams. Transactions of all servers are made
+//! one after the other under an advisory lock, so that numbers are in the order in which they become visible: who has read up
+//! to a number misses no lower one. Each change is one statement that cannot fail for its own reasons but says what it found,
+//! so that a group is sent without waiting for single answers.
 
 mod backup;
 mod fault;

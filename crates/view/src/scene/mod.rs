@@ -1,5 +1,9 @@
 //! The scene of the page: the picture of the simulation with draggable handles, the outline of measured positions, and
 //! a ruler.
+//!
+//! `picture.rs` has the SVG nodes of a scene. A `Picture` follows whatever `Play` it is given and needs no `App`. While the
+//! run plays, shapes and plots follow every frame, texts ten times a second: each text that differs costs the browser a
+//! layout. `grip.rs` drags handles of the scene and prevents scrolling there.
 
 mod drag;
 pub(crate) mod drawings;

@@ -1,4 +1,7 @@
 //! The stage: scene, plots and transport, always in sight.
+//!
+//! `narrow.rs` says which windows have room for one plot only; the layouts are in `crates/view/page/*.css`. The aspect of the
+//! scene's view box decides whether it stands above or beside the plots.
 
 pub mod brush;
 pub mod canvas;

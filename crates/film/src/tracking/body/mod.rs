@@ -3,6 +3,15 @@
 //! [`Body::take`] searches each frame near the predicted position for shades of the body that differ from the
 //! background, and keeps the pixels around it. [`Body::advance`] then improves the positions with the mean of those
 //! pixels.
+//!
+//! A body is found near where its motion leads (`course.rs`), by pixels that are nearer to its look (`look.rs`) than to what
+//! stands still behind it (`background.rs`), and then by the mean of what all frames show of it. Colours are read frame by
+//! frame; what is kept around the body is one byte a pixel (`part.rs`).
+//!
+//! A second body of the same look is followed beside it (`alike.rs`, `rival.rs`). After they have met, the vector between
+//! them shows exchanges (`exchanges.rs`), or smooth curves do where one was not seen before (`meeting.rs`,
+//! `tracking/crossing.rs`). A second body that is nowhere in the frame of the click was covered there (`covering.rs`).
+//! `joining.rs` has the doubts of frames, `evidence.rs` those of whole templates.
 
 mod alike;
 mod appearance;

@@ -2,6 +2,14 @@
 //!
 //! [`Column::take`] keeps a strip along the tube from each frame. [`Column::advance`] finds the path of the surface
 //! through the space-time picture of the strips, and refines it on the pixels of the bore.
+//!
+//! The cheapest path (`path.rs`) is sought through the space-time picture and through what is left of it without its temporal
+//! median. Each is improved by what the rows show above and below the surface (`seeking.rs`, `regions.rs`), and the one that
+//! explains most is kept. Then position, gain and offset of each frame are fitted to the pixels of the bore. What the surface
+//! looks like (`pattern.rs`) is a spline that all frames determine together, beside a background that stands still. The
+//! amplitude of a motion of a few rows is the multiple for which pattern and background, fitted together, explain most
+//! (`amplitude.rs`). Smear during the exposure widens the splines, so that the exposure time is the one of least residual
+//! (`exposure.rs`).
 
 mod align;
 mod amplitude;

@@ -1,4 +1,7 @@
 //! Pictures of a film, decoded by the browser.
+//!
+//! `Source` reads the file in ranges, `Reader` feeds WebCodecs (one decoder on the main thread, pictures known by their time
+//! stamp, closed at once), `Greys` turns a picture into a `film::Plane`, `Player` shows single frames.
 
 pub mod codecs;
 mod decoder;

@@ -1,4 +1,7 @@
 //! Forms of the views of a document: its drawing, its plots, and the order of controls and values.
+//!
+//! `drawing` shows the scene a second time (`canvas.rs`): `desk` says where elements and grips stand in it, `seen.rs` where
+//! that is on the screen (`matrix.rs`), `pointing.rs` and `keys.rs` make ways of it, and `acts.rs` changes of the text.
 
 mod drawing;
 mod forms;

@@ -1,5 +1,10 @@
 //! Curves and points over the values of a parameter. Definitions are evaluated at once; values taken from runs are
 //! computed in time slices, or by workers.
+//!
+//! `Plots::work` makes the runs that sweeps need, a portion in each frame. `Plots::work_beside` leaves to `SweepWorkers` what
+//! the first portion after a change does not finish. It divides the runs into batches of at most 64 neighbouring values
+//! (`batches.rs`), each a `SweepWork` that needs nothing else, and takes `SweepNews`. Runs are drawn in the order of their
+//! values, so that the picture does not depend on which worker is ready first.
 
 mod batches;
 mod runs;

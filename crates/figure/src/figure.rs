@@ -1,7 +1,7 @@
 //! The figure: result of a layout, ready to be painted.
 
 use crate::items::{Entry, Item, Point, Rect, Scale};
-use crate::plot::{Interval, View};
+use crate::plot::{Interval, Level, View};
 use crate::raster::Cloud;
 use crate::ticks::Ticks;
 
@@ -35,7 +35,9 @@ pub struct Figure {
     pub(crate) clouds: Vec<Cloud>,
     /// True if some of their points are still missing.
     pub(crate) unfinished: bool,
-    /// True if the vertical axis has the scale of the drawing beside the plot.
+    /// Scale of the drawing beside the plot.
+    pub(crate) level: Option<Level>,
+    /// True if the vertical axis has it.
     pub(crate) is_level: bool,
     /// Dot of the present moment of the first series that has one.
     pub(crate) present: Option<Point>,
@@ -71,7 +73,7 @@ impl Figure {
         })
     }
 
-    /// Dot of the present moment if the vertical axis has the scale of the drawing beside the plot ([`crate::Plot::level`]).
+    /// Dot of the present moment if the vertical axis has the scale of the drawing beside the plot ([`crate::Settings::level`]).
     pub fn level_point(&self) -> Option<Point> {
         self.present.filter(|_| self.is_level)
     }

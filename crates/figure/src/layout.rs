@@ -61,6 +61,7 @@ pub fn layout_into(figure: &mut Figure, plot: &Plot<'_>, settings: &Settings) {
     figure.home_y.clear();
     figure.panel = Rect::default();
     figure.unfinished = false;
+    figure.level = settings.level;
     figure.is_level = false;
     figure.present = None;
     figure.forget_clouds(plot);
@@ -246,7 +247,7 @@ impl Figure {
                     .with(axis.include)
             })
             .collect();
-        let of_drawing = plot.level.filter(|_| !plot.equal && plot.view.is_automatic());
+        let of_drawing = self.level.filter(|_| !plot.equal && plot.view.is_automatic());
         let of_drawing = of_drawing.and_then(|level| level.limits(top, bottom)).filter(|limits| match extents[..] {
             [extent] => extent.is_within(*limits),
             _ => false,

@@ -23,8 +23,6 @@ pub struct Plot<'a> {
     pub marker: Option<f64>,
     /// Visible part of the plane.
     pub view: View,
-    /// Scale of a drawing beside the plot. The only vertical axis has it unless it is zoomed or does not contain its automatic range.
-    pub level: Option<Level>,
     /// True if both axes have the same scale, so that a path keeps its shape. Ignored with several vertical axes.
     pub equal: bool,
 }
@@ -190,10 +188,12 @@ pub struct Settings {
     pub font_size: f64,
     /// True for numbers with a decimal comma.
     pub decimal_comma: bool,
+    /// Scale of a drawing beside the figure. An only vertical axis has it unless it is zoomed or does not contain its automatic range.
+    pub level: Option<Level>,
 }
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false }
+        Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false, level: None }
     }
 }

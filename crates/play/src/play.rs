@@ -47,8 +47,8 @@ use crate::share::state::{MOST_CHANGES, State};
 use crate::share::{Extent, Passed};
 use crate::time::recipe::MOST_WORK;
 use crate::{
-    Answers, Basis, Claims, Controls, Course, Figures, Grips, Level, OpenRun, PlotId, Plots, Readout, Refusal,
-    Settings, Shown, ShownScene, Survey, TimeLine, Values, words,
+    Answers, Basis, Claims, Controls, Course, Figures, Grips, OpenRun, PlotId, Plots, Readout, Refusal, Settings,
+    Shown, ShownScene, Survey, TimeLine, Values, words,
 };
 use figure::Figure;
 use program::{Model, Program, Seat};
@@ -322,31 +322,8 @@ impl Play {
 
     /// Lays out a plot for the time shown, reusing the buffers of its figure. `None` if there is no such plot.
     pub fn layout_plot(&mut self, id: PlotId, settings: &figure::Settings) -> Option<&Figure> {
-        self.layout_plot_beside(id, settings, None)
-    }
-
-    /// [`Self::layout_plot`] beside a drawing with a scale for its quantity ([`Self::level_of`]).
-    pub fn layout_plot_beside(
-        &mut self,
-        id: PlotId,
-        settings: &figure::Settings,
-        level: Option<figure::Level>,
-    ) -> Option<&Figure> {
         self.follow();
-        self.plots.layout(OpenRun { basis: &self.basis, line: &self.line }, id, settings, level)
-    }
-
-    /// Scale of the scene for the quantity of a plot, in the unit of its vertical axis. `None` unless the first curve of the plot is a
-    /// state against the independent variable, and the scene has a handle that moves this state up and down alone.
-    pub fn level_of(&mut self, id: PlotId) -> Option<Level> {
-        let (state, unit) = self.plots().state_over_time(id)?;
-        self.grips().level(state, &unit)
-    }
-
-    /// Scale of the scene for the quantity of the first plot that has one.
-    pub fn level(&mut self) -> Option<Level> {
-        let plots: Vec<PlotId> = self.plots().list().into_iter().map(|plot| plot.id).collect();
-        plots.into_iter().find_map(|id| self.level_of(id))
+        self.plots.layout(OpenRun { basis: &self.basis, line: &self.line }, id, settings)
     }
 
     /// The values at the moment shown, and the recorded rows.

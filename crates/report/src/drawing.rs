@@ -179,7 +179,13 @@ fn draw(
     };
     layout(
         &plot,
-        &Settings { width: WIDTH - narrower, height, font_size: 13.0, decimal_comma: language.style().decimal_comma },
+        &Settings {
+            width: WIDTH - narrower,
+            height,
+            font_size: 13.0,
+            decimal_comma: language.style().decimal_comma,
+            level: None,
+        },
     )
 }
 

@@ -28,6 +28,8 @@ pub struct Nodes {
     pub plots: Vec<Option<PlotNodes>>,
     /// Line from the scene to the curve, and the ring on what can be dragged.
     pub level: Option<LevelNodes>,
+    /// True until something has been dragged once.
+    pub invites: bool,
     /// Clock and time line.
     pub transport: Option<TransportNodes>,
     /// Font size of the figures, in CSS pixels.
@@ -142,7 +144,7 @@ fn advance(nodes: &mut Nodes, play: &mut Play, part: Option<Part>, now: f64, wor
     }
     if let Some(level) = &mut nodes.level {
         let lead = nodes.plots.iter().flatten().find_map(PlotNodes::lead);
-        level.draw(play, lead, nodes.scene.as_ref());
+        level.draw(play, lead, nodes.scene.as_ref(), nodes.invites);
     }
     nodes.sound.follow(play);
     (playing || unfinished || working, values)

@@ -168,6 +168,7 @@ table_of_words! {
 
     // Readouts.
     readouts: "Values";
+    further_readouts: "Further values";
     constants: "Derived quantities";
     changing: "Changing with time";
     show_hidden: "Show the values that questions ask for";

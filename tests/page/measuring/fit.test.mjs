@@ -133,7 +133,7 @@ visit("a fit takes a theory and a button, and the result stands beside the plots
   await lab.page.getByRole("heading", { level: 1, name: "Linear damping" }).waitFor();
   assert.equal(await lab.page.getByRole("tab", { name: "Measure" }).getAttribute("aria-selected"), "true", "nobody is sent elsewhere");
   assert.ok(Math.abs((await place()) - before) < 2);
-  assert.equal(await linear.getAttribute("aria-pressed"), "true");
+  await eventually(async () => assert.equal(await linear.getAttribute("aria-pressed"), "true"));
   // The part that counts is the one that a zoomed plot shows.
   await unfold(lab, "record");
   assert.equal(await lab.page.locator("#fit-part-in-plot").isVisible(), false);

@@ -23,6 +23,7 @@ visit("a message is shown, spoken once, and passes", async (lab) => {
     return spoken;
   });
   await lab.context.grantPermissions(["clipboard-write"]).catch(() => {});
+  await lab.page.locator("#step-forward").click();
   await lab.press("Keep run");
   await reads(lab, /Run kept/);
   assert.deepEqual((await spoken.jsonValue()).filter((words) => /Run kept/.test(words)).length, 1, "spoken once");
@@ -40,6 +41,7 @@ visit("a message is shown, spoken once, and passes", async (lab) => {
 });
 
 visit("an error stays until it is dismissed, ordinary messages follow one another", async (lab) => {
+  await lab.page.locator("#step-forward").click();
   for (let runs = 0; runs < 6; runs += 1) await lab.press("Keep run");
   await reads(lab, /5 runs are kept already/);
   const error = lab.page.locator(".message.error");

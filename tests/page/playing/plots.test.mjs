@@ -44,7 +44,7 @@ visit("on a phone the scene and one plot are in sight, above the slider that mov
   const slider = lab.page.locator("#further").getByRole("slider").first();
   await slider.evaluate((slider) => slider.scrollIntoView({ block: "center", behavior: "instant" }));
   const [scene, above, below] = [await lab.page.locator("#scene .drawing").boundingBox(), await lab.page.locator(".figures canvas:visible").boundingBox(), await slider.boundingBox()];
-  assert.ok(scene.y >= 0 && scene.height > 150 && scene.y + scene.height <= above.y, JSON.stringify(scene));
+  assert.ok(scene.y >= 0 && scene.height > 150 && scene.x + scene.width <= above.x, JSON.stringify(scene));
   assert.ok(above.y + above.height <= below.y && above.height > 90, `${JSON.stringify(above)}, ${below.y}`);
 });
 

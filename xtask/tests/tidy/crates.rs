@@ -109,6 +109,41 @@ fn crates_use_only_what_lies_below_them() {
     assert_eq!(crates, ARROWS.len(), "a new crate needs its arrows here");
 }
 
+/// The rows of the diagram of ARCHITECTURE.md: name of a crate, its letter, and the letters of the crates that it uses.
+fn diagram() -> Vec<(String, char, Vec<char>)> {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("the architecture");
+    let drawn = text.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the diagram");
+    let mut lines = drawn.lines();
+    let letters: Vec<char> = lines.next().expect("the letters").chars().collect();
+    let first = letters.iter().position(|letter| *letter != ' ').expect("a letter");
+    let row = |line: &str| {
+        let signs: Vec<char> = line.chars().collect();
+        let before: String = signs.iter().take(first).collect();
+        let mut words = before.split_whitespace().rev();
+        let last = words.next().filter(|_| !before.starts_with("    ") || before.trim().len() > 1)?;
+        let is_letter = last.len() == 1;
+        let name = if is_letter { words.next()? } else { last };
+        let letter = if is_letter { last.chars().next()? } else { ' ' };
+        let used = signs.iter().zip(&letters).filter(|(sign, _)| **sign == '●').map(|(_, letter)| *letter);
+        Some((name.to_owned(), letter, used.collect()))
+    };
+    lines.filter_map(row).collect()
+}
+
+#[test]
+fn the_diagram_has_all_arrows_and_none_points_upward() {
+    let rows = diagram();
+    assert_eq!(rows.len(), ARROWS.len(), "each crate has a row");
+    for (place, (name, _, used)) in rows.iter().enumerate() {
+        let of_letter = |letter: &char| rows.iter().position(|(_, own, _)| own == letter).expect("a column");
+        assert!(used.iter().all(|letter| of_letter(letter) < place), "an arrow of {name} points upward");
+        let mut drawn: Vec<&str> = used.iter().map(|letter| rows[of_letter(letter)].0.as_str()).collect();
+        drawn.sort_unstable();
+        let (_, allowed) = ARROWS.iter().find(|(own, _)| own == name).expect(name);
+        assert_eq!(drawn, *allowed, "{name}");
+    }
+}
+
 #[test]
 fn the_core_touches_nothing_outside() {
     for name in CORE {

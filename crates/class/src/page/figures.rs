@@ -38,7 +38,7 @@ impl Look {
     /// A plot of this height in pixels.
     pub(super) fn svg(self, plot: &Plot<'_>, height: f64) -> String {
         let decimal_comma = self.language.style().decimal_comma;
-        let settings = Settings { width: self.width, height, font_size: 13.0, decimal_comma };
+        let settings = Settings { width: self.width, height, font_size: 13.0, decimal_comma, level: None };
         layout(plot, &settings).svg(self.palette)
     }
 }

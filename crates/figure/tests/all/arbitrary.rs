@@ -72,7 +72,7 @@ proptest! {
             view: View { x: view_x, y: view_y },
             ..Plot::default()
         };
-        let figure = layout(&plot, &Settings { width, height, font_size, decimal_comma: sorted });
+        let figure = layout(&plot, &Settings { width, height, font_size, decimal_comma: sorted, level: None });
         let mut free_from = f32::NEG_INFINITY;
         for item in figure.items() {
             match item {
@@ -123,7 +123,7 @@ proptest! {
             figure.zoom_to(at, far),
             figure.pan(f64::from(pixel_x), factor),
         ] {
-            let again = layout(&Plot { view, ..plot.clone() }, &Settings { width, height, font_size, decimal_comma: false });
+            let again = layout(&Plot { view, ..plot.clone() }, &Settings { width, height, font_size, decimal_comma: false, level: None });
             for scale in again.x_scale().into_iter().chain(again.y_scales()) {
                 prop_assert!(scale.values.length() > 0.0 && scale.values.length().is_finite());
             }

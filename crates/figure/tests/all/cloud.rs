@@ -2,7 +2,7 @@
 
 use figure::{Figure, Interval, Item, Palette, Plot, Series, Settings, Style, View, layout, layout_into};
 
-const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false };
+const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false, level: None };
 const ROWS: usize = 100_000;
 
 /// An oscillation with noise, and a few values far from it.

@@ -291,8 +291,8 @@ fn beside_a_drawing_the_axis_has_its_scale_as_long_as_all_fits() {
         let series = Series { x: &time, y: &displacement, present: Some((3.0, 0.25)), ..Series::default() };
         let y = vec![axis("y", "m")];
         layout(
-            &Plot { x: time_axis(), y, series: vec![series], ordered: true, level, ..Plot::default() },
-            &settings(640.0, 320.0),
+            &Plot { x: time_axis(), y, series: vec![series], ordered: true, ..Plot::default() },
+            &Settings { level, ..settings(640.0, 320.0) },
         )
     };
     let figure = at(Some(Level { zero: 140.0, unit: 200.0 }));

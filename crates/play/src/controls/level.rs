@@ -2,7 +2,8 @@
 
 use super::Grips;
 use super::drag::collect_drags;
-use program::Dragged;
+use crate::PlotId;
+use program::{Dragged, Drawing, Node};
 use units::Unit;
 
 /// Scale of the scene for a quantity, in units of the scene.
@@ -19,8 +20,28 @@ pub struct Level {
 }
 
 impl Grips<'_> {
-    /// Scale of the scene for a state in this unit, at the moment shown; `None` without a handle that moves it up and down alone.
-    pub(crate) fn level(&mut self, state: usize, unit: &Unit) -> Option<Level> {
+    /// Scale of the scene for the quantity of a plot, in the unit of its vertical axis, at the moment shown. `None` unless the first
+    /// curve of the plot is a state against the independent variable, and the scene has a handle that moves this state up and down
+    /// alone.
+    pub fn level_of(&mut self, id: PlotId) -> Option<Level> {
+        let (model, plot) = (self.basis.model(), self.basis.program().plots.get(id.place())?);
+        let is_over_time = plot.abscissas().all(|x| model.is_independent(x.value.node));
+        let curve = plot.curves.first().filter(|_| is_over_time && matches!(plot.drawing, Drawing::Run))?;
+        match model.graph.node(curve.value.node) {
+            Node::State(state) => {
+                let unit = curve.value.unit.clone();
+                self.level_in(state as usize, &unit)
+            }
+            _ => None,
+        }
+    }
+
+    /// Scale of the scene for the quantity of the first plot that has one.
+    pub fn level(&mut self) -> Option<Level> {
+        (0..self.basis.program().plots.len()).find_map(|place| self.level_of(PlotId::at(place)))
+    }
+
+    fn level_in(&mut self, state: usize, unit: &Unit) -> Option<Level> {
         let scene = self.basis.scene()?;
         let mut drags = Vec::new();
         collect_drags(&scene.root, &mut drags);

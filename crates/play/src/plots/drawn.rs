@@ -6,11 +6,10 @@ use super::members::Snapshot;
 use super::section::Section;
 use super::sweep::Swept;
 use super::traces::CurveColumns;
-use super::{Content, Figures, PlotId};
+use super::{Content, Figures};
 use crate::words;
 use figure::{Axis, Interval, Plot, Series, Style, View};
-use program::{Curve, Drawing, Node};
-use units::Unit;
+use program::{Curve, Drawing};
 
 impl Figures<'_> {
     /// Figure of a plot; `None` for an unknown index.
@@ -103,7 +102,6 @@ impl Figures<'_> {
             ordered: independent,
             steady: false,
             equal: self.has_equal_axes(index),
-            level: None,
         })
     }
 
@@ -118,7 +116,6 @@ impl Figures<'_> {
             y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, ..Axis::default() }).collect(),
             view: state.view.clone(),
             equal: self.has_equal_axes(index),
-            level: None,
             ..Plot::default()
         })
     }
@@ -214,16 +211,6 @@ impl Figures<'_> {
         self.basis.program().plots.get(index).is_some_and(|plot| plot.abscissas().all(independent))
     }
 
-    /// The state that the first curve of a plot shows against the independent variable, with its unit; `None` for any other content.
-    pub(crate) fn state_over_time(&self, PlotId(index): PlotId) -> Option<(usize, Unit)> {
-        let plot = self.basis.program().plots.get(index).filter(|_| self.is_against_independent(index))?;
-        let (Drawing::Run, [curve, ..]) = (&plot.drawing, plot.curves.as_slice()) else { return None };
-        match self.basis.model().graph.node(curve.value.node) {
-            Node::State(state) => Some((state as usize, curve.value.unit.clone())),
-            _ => None,
-        }
-    }
-
     /// Figure of an added plot.
     fn added_figure<'a>(&'a self, added: &'a AddedPlot, view: &View) -> Plot<'a> {
         let labels = &added.labels;
@@ -252,7 +239,6 @@ impl Figures<'_> {
             ordered: added.ordered,
             steady: false,
             equal: false,
-            level: None,
         }
     }
 

@@ -20,7 +20,7 @@ pub use plot::{PlotId, PlotView};
 pub use series::LegendEntry;
 
 use crate::{Basis, Changes, OpenRun, TimeLine, WORK_PER_TICK};
-use figure::{Direction, Figure, Interval, Level, Point, Readout, Settings, Style, View};
+use figure::{Direction, Figure, Interval, Point, Readout, Settings, Style, View};
 use histogram::Histogram;
 use members::Snapshot;
 use program::{Drawing, Plot, Program};
@@ -229,21 +229,13 @@ impl Plots {
         Changes::PLOTS
     }
 
-    /// Lays out a plot for the time shown, reusing the buffers of its figure. `level`: scale of a drawing beside it. `None` if there is
-    /// no such plot.
-    pub(crate) fn layout(
-        &mut self,
-        run: OpenRun<'_>,
-        PlotId(index): PlotId,
-        settings: &Settings,
-        level: Option<Level>,
-    ) -> Option<&Figure> {
+    /// Lays out a plot for the time shown, reusing the buffers of its figure. `None` if there is no such plot.
+    pub(crate) fn layout(&mut self, run: OpenRun<'_>, PlotId(index): PlotId, settings: &Settings) -> Option<&Figure> {
         let mut figure = std::mem::take(&mut self.states.get_mut(index)?.figure);
         if let Some(mut plot) = self.seen(run).figure_of(index) {
             // The page shows title and legend above the figure.
             plot.title = "";
             plot.series.iter_mut().for_each(|series| series.label = "");
-            plot.level = level;
             figure::layout_into(&mut figure, &plot, settings);
         }
         let state = self.states.get_mut(index)?;

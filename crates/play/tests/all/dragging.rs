@@ -216,23 +216,23 @@ fn a_parameter_is_dragged_within_its_range_while_the_run_goes_on() {
 
 #[test]
 fn a_scene_is_a_scale_of_what_moves_up_and_down_in_it() {
-    assert_eq!(utube().level(), None);
+    assert_eq!(utube().grips().level(), None);
     let source = crate::support::UTUBE.replace("drag-up=\"0.025 [m]\"", "drag-up=\"0.025 [m]\" drag-zero=\"100\"");
     let mut play = crate::support::open(&source.replace("y, y' against t", "y against t"), &[]);
-    let level = play.level().expect("the scene has a scale");
+    let level = play.grips().level().expect("the scene has a scale");
     let y = state(&play)[0];
     assert_eq!((level.handle, level.zero), (0, 100.0));
     assert!((level.present - (100.0 - 40.0 * y)).abs() < 1e-9, "{level:?}");
     let ids: Vec<_> = play.plots().list().iter().map(|plot| plot.id).collect();
-    let levels: Vec<_> = ids.into_iter().map(|id| play.level_of(id).map(|level| level.unit)).collect();
+    let levels: Vec<_> = ids.into_iter().map(|id| play.grips().level_of(id).map(|level| level.unit)).collect();
     // The plot that begins with y against t.
     assert_eq!(levels.iter().flatten().count(), 1, "{levels:?}");
     let unit = levels[0].expect("the first plot");
     assert!((unit - 40.0).abs() < 1e-9, "40 units of the drawing are a metre: {unit}");
     // The scale of the scene is that of the figure, as long as the swing fits.
-    let settings = play::figure::Settings { width: 400.0, height: 400.0, ..play::figure::Settings::default() };
-    let beside = play::figure::Level { zero: 200.0, unit };
-    let figure = play.layout_plot_beside(play::PlotId::at(0), &settings, Some(beside)).expect("the plot");
+    let level = Some(play::figure::Level { zero: 200.0, unit });
+    let settings = play::figure::Settings { width: 400.0, height: 400.0, level, ..play::figure::Settings::default() };
+    let figure = play.layout_plot(play::PlotId::at(0), &settings).expect("the plot");
     assert!((figure.y_scales()[0].pixel(0.0) - 200.0).abs() < 1e-9);
     assert!((f64::from(figure.level_point().expect("the present moment").y) - (200.0 - 40.0 * y)).abs() < 1e-3);
 }

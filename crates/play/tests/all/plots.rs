@@ -14,7 +14,7 @@ fn bodies() -> Play {
     )
 }
 
-const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false };
+const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false, level: None };
 
 #[test]
 fn each_curve_is_drawn_against_its_own_abscissa() {

@@ -5,7 +5,7 @@ use figure::{Item, Palette, Point, Settings};
 use play::{Play, PlotId};
 use std::f64::consts::PI;
 
-const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false };
+const SETTINGS: Settings = Settings { width: 640.0, height: 360.0, font_size: 13.0, decimal_comma: false, level: None };
 
 /// A chain with this number of masses in its second mode.
 fn chain(masses: usize) -> Play {

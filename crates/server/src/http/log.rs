@@ -5,7 +5,6 @@
 //! {"at":1763812800000,"method":"POST","route":"/api/events","status":200,"ms":3}
 //! ```
 
-use super::state::Server;
 use crate::time::now;
 use axum::extract::{MatchedPath, Request, State};
 use axum::middleware::Next;
@@ -39,8 +38,8 @@ impl fmt::Debug for Log {
 }
 
 /// Writes a line about a request once its answer begins. `route` is the pattern of the address, `null` for an address without a route.
-pub async fn request(State(server): State<Arc<Server>>, request: Request, next: Next) -> Response {
-    let Some(log) = &server.log else { return next.run(request).await };
+pub async fn request(State(log): State<Option<Arc<Log>>>, request: Request, next: Next) -> Response {
+    let Some(log) = log else { return next.run(request).await };
     let route = request.extensions().get::<MatchedPath>().map(|route| route.as_str().to_owned());
     let (method, at, began) = (request.method().clone(), now(), Instant::now());
     let response = next.run(request).await;

@@ -45,7 +45,7 @@ impl Server {
             .merge(students)
             .merge(teacher)
             .layer(middleware::from_fn_with_state(self.clone(), guard::host))
-            .layer(middleware::from_fn_with_state(self.clone(), log::request))
+            .layer(middleware::from_fn_with_state(self.log.clone(), log::request))
             .with_state(self.clone())
     }
 }

@@ -49,14 +49,14 @@ pub struct Server {
     pub(super) gate: Gate,
     pub(super) limits: Limits,
     pub(super) tallies: Tallies,
-    pub(super) log: Option<Log>,
+    pub(super) log: Option<Arc<Log>>,
 }
 
 impl Server {
     /// A server of these classes. `log`: place of a line for each request.
     pub fn new(classes: Classes, pages: Pages, place: Place, log: Option<Log>) -> Arc<Self> {
         let (gate, limits, tallies) = (Gate::default(), Limits::default(), Tallies::default());
-        Arc::new(Self { classes, pages, place, gate, limits, tallies, log })
+        Arc::new(Self { classes, pages, place, gate, limits, tallies, log: log.map(Arc::new) })
     }
 
     /// Where and how the server is reached.

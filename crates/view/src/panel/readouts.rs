@@ -24,7 +24,7 @@ pub fn main(app: App) -> HtmlSection {
 pub fn further(app: App) -> HtmlSection {
     let words = app.words();
     let [_, others] = divided(app);
-    let mut readouts = part("further-readouts", "readouts card", words.readouts);
+    let mut readouts = part("further-readouts", "readouts card", words.further_readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
     let (changing, constant): (Vec<_>, Vec<_>) = others.into_iter().partition(|(_, readout)| readout.varies);
     let titled = |title: &'static str, rows: Vec<(usize, Readout)>| {

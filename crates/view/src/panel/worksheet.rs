@@ -11,7 +11,7 @@ use program::{Block, Section};
 use web_sys::{Element, Event, ShadowRootInit, ShadowRootMode};
 
 /// Size of a plot on paper, in CSS pixels: as wide as the text, so that its font size is that of the text.
-const PLOT: Settings = Settings { width: 660.0, height: 240.0, font_size: 12.0, decimal_comma: false };
+const PLOT: Settings = Settings { width: 660.0, height: 240.0, font_size: 12.0, decimal_comma: false, level: None };
 /// Number of ruled lines below a question.
 const LINES: usize = 4;
 

@@ -1,7 +1,7 @@
 //! Draggable parts of the scene: moved with the arrow keys when focused, or by pointer ([`crate::scene::grip`]).
 
 use crate::app::App;
-use crate::stage::level;
+use crate::stage::invitation;
 use play::Play;
 use program::{Drag, Dragged};
 use wasm_bindgen::JsCast;
@@ -151,7 +151,7 @@ fn keyboard(app: App, handle: &mut Handle, root: &SvgGraphicsElement) {
             (true, false) => (right + up, 0.0),
             (false, _) => (0.0, right + up),
         };
-        level::dragged(app);
+        invitation::accept(app);
         app.act(|play| {
             play.change_settings(|settings| settings.drag_begin(&drag));
             play.change_settings(|settings| settings.drag_move(right * step, up * step));

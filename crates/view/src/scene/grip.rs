@@ -5,7 +5,7 @@
 //! handle is under the finger. Elsewhere, a finger scrolls the page.
 
 use crate::app::App;
-use crate::stage::level;
+use crate::stage::invitation;
 use program::Drag;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -77,7 +77,7 @@ impl Grips {
             options.set_prevent_scroll(true);
             let _ = node.focus_with_options(&options);
             held.set(Some(Held { pointer: event.pointer_id(), handle, at }));
-            level::dragged(app);
+            invitation::accept(app);
             app.act(|play| play.change_settings(|settings| settings.drag_begin(drag)));
         });
     }

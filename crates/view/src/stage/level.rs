@@ -1,16 +1,13 @@
 //! One scale for the drawing and the plot beside it: the plot has the scale of the drawing, and a dotted line leads from what is drawn
 //! to the present point of the curve. A ring shows what can be dragged until it has been dragged once.
 
+use super::invitation;
 use crate::app::App;
-use crate::browser;
 use crate::scene::SceneNodes;
 use crate::views::*;
 use figure::Point;
 use play::Play;
 use web_sys::{DomRect, Element, HtmlElement};
-
-/// Key of the storage under which the page remembers that something has been dragged.
-const DRAGGED: &str = "dragged";
 
 /// Height that the bubble needs above the ring, in CSS pixels.
 const BUBBLE: f64 = 84.0;
@@ -96,13 +93,11 @@ pub struct LevelNodes {
     shown: Option<Lead>,
     /// Middle of the ring where it was drawn last.
     ringed: Option<[f64; 2]>,
-    /// True until something has been dragged.
-    invites: bool,
 }
 
 impl LevelNodes {
-    /// Shows the line, and the ring while the run has not begun.
-    pub fn draw(&mut self, play: &mut Play, lead: Option<Lead>, scene: Option<&SceneNodes>) {
+    /// Shows the line, and the ring while the run has not begun. `invites`: nothing has been dragged yet.
+    pub fn draw(&mut self, play: &mut Play, lead: Option<Lead>, scene: Option<&SceneNodes>, invites: bool) {
         let rests = !play.time_line().is_playing() && play.course().time() == 0.0;
         if self.shown != lead {
             self.shown = lead;
@@ -113,7 +108,7 @@ impl LevelNodes {
             }
             self.line.set_hidden(lead.is_none());
         }
-        let place = (self.invites && rests).then(|| match lead {
+        let place = (invites && rests).then(|| match lead {
             Some(lead) => Some([lead.middle, lead.height]),
             None => self.invitation(play, scene?),
         });
@@ -130,7 +125,7 @@ impl LevelNodes {
 
     /// What to drag where no line leads to it: the height of the present value, or else the middle of the first handle.
     fn invitation(&self, play: &mut Play, scene: &SceneNodes) -> Option<[f64; 2]> {
-        let level = play.level();
+        let level = play.grips().level();
         let body = self.ring.parent_element()?.get_bounding_client_rect();
         let handle = scene.handle(level.map_or(0, |level| level.handle))?;
         let [x, y] = Sides::of(&handle.get_bounding_client_rect(), &body).middle();
@@ -150,21 +145,10 @@ pub fn view(app: App) -> View {
         .class("bubble")
         .child(strong().child(words.drag_here))
         .child(span().class("for-keys").child(words.drag_keys));
-    let nodes = LevelNodes {
-        line: line.node(),
-        ring: ring_node,
-        shown: None,
-        ringed: None,
-        invites: browser::remembered(DRAGGED).is_none(),
-    };
-    app.nodes(|all| all.level = Some(nodes));
+    let nodes = LevelNodes { line: line.node(), ring: ring_node, shown: None, ringed: None };
+    app.nodes(|all| {
+        all.level = Some(nodes);
+        all.invites = invitation::stands();
+    });
     View::from((line, ring.child(bubble)))
-}
-
-/// Something has been dragged: the ring goes for good.
-pub fn dragged(app: App) {
-    let invited = app.nodes(|nodes| nodes.level.as_mut().is_some_and(|level| std::mem::take(&mut level.invites)));
-    if invited == Some(true) {
-        browser::remember(DRAGGED, "1");
-    }
 }

@@ -8,6 +8,7 @@ pub mod canvas;
 pub mod full_screen;
 mod gesture;
 mod gestures;
+pub(crate) mod invitation;
 mod legend;
 pub(crate) mod level;
 mod narrow;
@@ -47,7 +48,7 @@ fn stage(app: App) -> HtmlSection {
     let body = div()
         .class(match aspect {
             aspect if aspect > WIDE => "stage-body wide",
-            aspect if aspect < SLIM && app.read(|play| play.level().is_some()) => "stage-body slim",
+            aspect if aspect < SLIM && app.read(|play| play.grips().level().is_some()) => "stage-body slim",
             _ => "stage-body",
         })
         .style(format!("--aspect:{aspect:.3}"))

@@ -59,7 +59,7 @@ impl PlotNodes {
 
     fn settings(&self, font_size: f64) -> Settings {
         let (width, height) = self.size;
-        Settings { width, height, font_size, decimal_comma: self.decimal_comma }
+        Settings { width, height, font_size, decimal_comma: self.decimal_comma, level: None }
     }
 
     /// Adapts to the size of its box.
@@ -98,9 +98,9 @@ impl PlotNodes {
             return false;
         }
         (self.stale, self.drawn) = (false, Some(revision));
-        let settings = self.settings(font_size);
-        let level = scene.and_then(|scene| self.level(play.level_of(id)?, scene));
-        let Some(figure) = play.layout_plot_beside(id, &settings, level.map(|(level, _)| level)) else { return false };
+        let level = scene.and_then(|scene| self.level(play.grips().level_of(id)?, scene));
+        let settings = Settings { level: level.map(|(level, _)| level), ..self.settings(font_size) };
+        let Some(figure) = play.layout_plot(id, &settings) else { return false };
         self.lead = level.and_then(|(_, beside)| Some(beside.lead(figure.level_point()?)));
         let is_cut = level.is_some() && self.lead.is_none();
         canvas::paint(&self.context, figure, colours, self.scale);

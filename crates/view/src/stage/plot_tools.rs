@@ -11,7 +11,7 @@ use wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, Element, FocusEvent, HtmlCanvasElement, KeyboardEvent, Node};
 
 /// Size of a downloaded figure, in CSS pixels.
-const SAVED: Settings = Settings { width: 960.0, height: 540.0, font_size: 16.0, decimal_comma: false };
+const SAVED: Settings = Settings { width: 960.0, height: 540.0, font_size: 16.0, decimal_comma: false, level: None };
 /// Pixels of a downloaded PNG per CSS pixel.
 const SAVED_SCALE: f64 = 2.0;
 

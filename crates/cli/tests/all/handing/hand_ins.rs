@@ -8,7 +8,7 @@ use saved::project::Project;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-const DOCUMENT: &str = include_str!("../../../../simulations/theories/linear.md");
+const DOCUMENT: &str = include_str!("../../../../../simulations/theories/linear.md");
 
 /// A project with one record, and its path.
 fn project(directory: &Path) -> PathBuf {
@@ -61,7 +61,7 @@ fn parts_without_values_are_named_with_the_reason() {
     let directory = tempfile::tempdir().unwrap();
     let path = project(directory.path());
     let mut project = Project::read(&std::fs::read_to_string(&path).unwrap()).unwrap();
-    let fit = include_str!("../../../desk/tests/all/stored/fit.json").trim().to_owned();
+    let fit = include_str!("../../../../desk/tests/all/stored/fit.json").trim().to_owned();
     project.items.push(("fit".to_owned(), fit));
     "2&b=9".clone_into(&mut project.state);
     std::fs::write(&path, project.write()).unwrap();
@@ -141,8 +141,8 @@ fn the_results_of_a_class_are_pooled() {
     let directory = tempfile::tempdir().unwrap();
     let folder = directory.path().join("in");
     let items = [
-        ("159d2ddcf951f93c", include_str!("../../../desk/tests/all/stored/record.json")),
-        ("fit", include_str!("../../../desk/tests/all/stored/fit.json")),
+        ("159d2ddcf951f93c", include_str!("../../../../desk/tests/all/stored/record.json")),
+        ("fit", include_str!("../../../../desk/tests/all/stored/fit.json")),
     ];
     let items = items.map(|(name, text)| (name.to_owned(), text.trim().to_owned())).to_vec();
     let documents = vec![Source { name: "linear.md".to_owned(), text: DOCUMENT.to_owned() }];

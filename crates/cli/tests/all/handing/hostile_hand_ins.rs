@@ -9,7 +9,7 @@ use saved::project::Project;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-const DOCUMENT: &str = include_str!("../../../../simulations/theories/linear.md");
+const DOCUMENT: &str = include_str!("../../../../../simulations/theories/linear.md");
 
 fn hostile() -> Vec<String> {
     vec![
@@ -42,8 +42,8 @@ fn handed(folder: &Path, place: usize, text: &str) -> PathBuf {
     let program = document::open(&source, &[]).sound().unwrap().program;
     let prompt = program.question_text(&program.language, 0).prompt.as_str();
     let stored = [
-        ("159d2ddcf951f93c", include_str!("../../../desk/tests/all/stored/record.json")),
-        ("fit", include_str!("../../../desk/tests/all/stored/fit.json")),
+        ("159d2ddcf951f93c", include_str!("../../../../desk/tests/all/stored/record.json")),
+        ("fit", include_str!("../../../../desk/tests/all/stored/fit.json")),
     ];
     let mut items = vec![
         ("r".to_owned(), Item(Content::Record(record)).write(5)),

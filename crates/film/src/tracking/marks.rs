@@ -1,7 +1,7 @@
 //! Camera motion from fixed marks.
 
 use crate::plane::Plane;
-use crate::tracking::body::{Disc, MARGIN, Part, Template};
+use crate::tracking::body::{Disc, MARGIN, Part, Shape, Template};
 use crate::tracking::refusal::Refusal;
 use crate::tracking::similarity::Similarity;
 
@@ -50,7 +50,7 @@ impl Marks {
                 if !(0.0..=plane.width() as f64).contains(x) || !(0.0..=high).contains(y) {
                     return Err(Refusal::Click { x: *x, y: *y });
                 }
-                let template = part([*x, *y]).map(|part| Template::new(&part, [*x, *y], disc));
+                let template = part([*x, *y]).map(|part| Template::new(&part, [*x, *y], disc, &Shape::disc(radius)));
                 let template = template.filter(|template| !template.plain()).ok_or(Refusal::PlainMark { number })?;
                 self.templates.push(template);
             }

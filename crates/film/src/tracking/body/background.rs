@@ -12,6 +12,12 @@ const COMPARED: usize = 4000;
 /// Minimum standard deviation of a grey value; smaller ones are due to rounding.
 pub(crate) const LEAST: f32 = 1.5;
 
+/// Grey value of black.
+const BLACK: f32 = 16.0;
+/// Brightness of a shadow relative to that of the background, and maximum difference of its colours from those of the background at that
+/// brightness.
+const SHADED: (std::ops::Range<f32>, f32) = (0.5..0.95, 4.0);
+
 /// Picture without the body. Pixels that the body has always covered are unknown.
 pub(crate) struct Background {
     width: usize,
@@ -154,10 +160,28 @@ impl Compared<'_> {
         Some(self.distance(shade, self.background.at(column, row)?.map(f32::from)))
     }
 
+    /// Difference of a pixel from the background, 0 to 1; 0 in a shadow.
+    pub(crate) fn differs(&self, column: i64, row: i64) -> f32 {
+        let shade = self.shade(column, row);
+        let Some(lit) = self.background.at(column, row).map(|shade| shade.map(f32::from)) else { return 0.0 };
+        let light = (shade[0] - BLACK) / (lit[0] - BLACK).max(1.0);
+        let colours = [1, 2].map(|k| shade[k] - 128.0 - light * (lit[k] - 128.0));
+        let is_shaded = SHADED.0.contains(&light) && colours.iter().all(|colour| colour.abs() < SHADED.1);
+        let far = self.distance(shade, lit);
+        if is_shaded { 0.0 } else { far / (far + 16.0 * self.noise * self.noise) }
+    }
+
     /// Squared distance of two shades, without what noise adds to that of their colours.
     pub(crate) fn distance(&self, one: [f32; 3], other: [f32; 3]) -> f32 {
         distance(one, other, self.dull)
     }
+}
+
+/// At most so many of some frames, the first and the last among them.
+pub(crate) fn few<'a>(planes: &[&'a Plane], most: usize) -> Vec<&'a Plane> {
+    let count = planes.len().min(most);
+    let last = planes.len().saturating_sub(1);
+    (0..count).filter_map(|at| planes.get(at * last / (count - 1).max(1)).copied()).collect()
 }
 
 /// Temporal median of each component of a pixel.

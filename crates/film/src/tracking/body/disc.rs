@@ -2,6 +2,7 @@
 
 use crate::plane::Plane;
 use crate::tracking::body::background::distance;
+use crate::tracking::body::shape::{Mask, Shape};
 use crate::tracking::median::median_shade;
 
 /// Minimum radius of a body, px.
@@ -17,6 +18,10 @@ const UNEVEN: f64 = 0.7;
 /// Margin between the outline and the edge of the template: fraction of the radius, and additional px.
 const MARGIN: (f64, f64) = (0.2, 2.0);
 
+/// Weight of the squared distance of a circle from the click, relative to its radius.
+const ASIDE: f64 = 0.15;
+/// Outer radius of the ring around a circle: multiple of the radius, and additional px.
+const RING: (f64, f64) = (1.25, 2.0);
 /// Radius in which pixels show the body in part at least: multiple of the radius, and additional px.
 const BLURRED: (f64, f64) = (1.1, 1.0);
 
@@ -35,6 +40,12 @@ impl Disc {
     /// Disc with an outline of this radius (px), and a margin.
     pub(crate) fn of(shift: [f64; 2], outline: f64) -> Disc {
         Disc { shift, radius: outline * (1.0 + MARGIN.0) + MARGIN.1, outline }
+    }
+
+    /// Circle around a shape, with a margin.
+    pub(super) fn around_shape(shift: [f64; 2], shape: &Shape) -> Disc {
+        let outline = shape.radius;
+        Disc { shift, radius: shape.extent + outline * MARGIN.0 + MARGIN.1, outline }
     }
 
     /// Maximum distance of a pixel from the click along a coordinate, px.
@@ -115,4 +126,62 @@ pub(crate) fn around(plane: &Plane, [x, y]: [f64; 2], greatest: f64) -> Disc {
     }
     let (_, middle, radius) = best;
     Disc::of([middle[0] - x, middle[1] - y], radius)
+}
+
+/// Middle (offset from the click) and radius of the circle about the click that has most of some pixels inside, and fewest around it.
+pub(super) fn fitted(pixels: &Mask, greatest: f64) -> ([f64; 2], f64) {
+    let half = pixels.half();
+    let side = (2 * half + 1) as usize;
+    let mut sums = Vec::with_capacity(side * (side + 1));
+    for row in -half..=half {
+        let mut sum = 0.0;
+        sums.push(sum);
+        sums.extend((-half..=half).map(|column| {
+            sum += f64::from(u8::from(pixels.holds([column, row])));
+            sum
+        }));
+    }
+    let within = |[x, y]: [f64; 2], radius: f64| {
+        let [x, y] = [x, y].map(|at| at + half as f64 + 0.5);
+        let limit = |at: f64| at.round().clamp(0.0, side as f64) as usize;
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in limit(y - radius)..limit(y + radius) {
+            let down = row as f64 + 0.5 - y;
+            let across = (radius * radius - down * down).max(0.0).sqrt();
+            let (from, to) = (limit(x - across), limit(x + across));
+            let sum_at = |place: usize| sums.get(row * (side + 1) + place).copied().unwrap_or(0.0);
+            (sum, count) = (sum + sum_at(to) - sum_at(from), count + (to - from) as f64);
+        }
+        (sum, count)
+    };
+    let mut best = (f64::NEG_INFINITY, [0.0; 2], SMALLEST);
+    let seek = |best: &mut (f64, [f64; 2], f64), middle: [f64; 2], radius: f64| {
+        let off = libm::hypot(middle[0], middle[1]) / radius;
+        if off > BESIDE || !(SMALLEST..=greatest).contains(&radius) {
+            return;
+        }
+        let [inside, gap, ring] = [radius, radius + 1.0, RING.0 * radius + RING.1].map(|radius| within(middle, radius));
+        let around = (ring.0 - gap.0) / (ring.1 - gap.1).max(1.0);
+        let value = (inside.0 / inside.1.max(1.0) - around) * radius * (1.0 - ASIDE * off * off);
+        if value > best.0 {
+            *best = (value, middle, radius);
+        }
+    };
+    let mut radius = SMALLEST;
+    while radius <= greatest {
+        let step = (radius / 5.0).max(1.0);
+        let steps = (BESIDE * radius / step).ceil() as i32;
+        for row in -steps..=steps {
+            (-steps..=steps).for_each(|column| seek(&mut best, [column, row].map(|at| step * f64::from(at)), radius));
+        }
+        radius += (radius / 8.0).max(1.0);
+    }
+    for step in [2.0, 1.0, 0.5, 0.5] {
+        let (_, [x, y], radius) = best;
+        for (u, v, w) in [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)] {
+            let [u, v, w] = [u, v, w].map(|at| step * f64::from(at));
+            seek(&mut best, [x + u, y + v], radius + w);
+        }
+    }
+    (best.1, best.2)
 }

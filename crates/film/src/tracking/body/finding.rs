@@ -90,6 +90,7 @@ impl Body {
             .as_ref()
             .and_then(|rival| Expected::new(&trail(&rival.seen), frame.time, disc.outline, rival.hidden));
         let compared = tracker.background.compare(plane);
+        let mut resized = None;
         let mut both = tracker.both((&compared, template), own, other);
         if let Some(own) = &both.own {
             let position = own.found.position;
@@ -112,6 +113,9 @@ impl Body {
             }
             if both.other.as_ref().is_none_or(|other| far(other.found.position, position) > TOUCHING * disc.outline) {
                 tracker.appearance.adapt(&compared, own);
+                if both.other.is_none() && tracker.rival.is_none() {
+                    resized = tracker.appearance.resize(&compared, own);
+                }
             }
         }
         let around = |place: [f64; 2], reach: f64| -> Around { (disc.middle(place), disc.radius + reach) };
@@ -127,6 +131,10 @@ impl Body {
             None => tracker.rival.is_some() && both.own.as_ref().is_none_or(|own| !own.free),
         };
         self.take_rival(frame, both.other);
+        if let Some((template, evidence)) = resized.zip(self.evidence.last().copied()) {
+            self.templates.push(template);
+            self.evidence.push(evidence);
+        }
         both.own
     }
 

@@ -1,6 +1,7 @@
 //! Appearance of a body compared with the stationary background.
 
 use crate::tracking::body::background::{Around, Compared};
+use crate::tracking::body::shape::Shape;
 use crate::tracking::median::median_shade;
 
 /// Fraction of the deviation by which the appearance is updated in each frame.
@@ -43,6 +44,23 @@ pub(crate) struct Look {
     usual: [[f32; 3]; 2],
 }
 
+/// Offsets of the pixels of a body, and of those of the ring around it.
+pub(super) fn offsets(shape: &Shape) -> [Vec<[i64; 2]>; 2] {
+    let reach = (shape.extent + 0.35 * shape.radius + 2.0).ceil() as i64;
+    let (mut inside, mut ring) = (Vec::new(), Vec::new());
+    for v in -reach..=reach {
+        for u in -reach..=reach {
+            let far = shape.beyond([u as f64, v as f64]);
+            if far <= 0.0 {
+                inside.push([u, v]);
+            } else if far > 0.1 * shape.radius + 1.0 && far <= 0.3 * shape.radius + 2.0 {
+                ring.push([u, v]);
+            }
+        }
+    }
+    [inside, ring]
+}
+
 /// Agreement of a position with the appearance of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Agreement {
@@ -69,22 +87,15 @@ const NONE: Agreement = Agreement { score: -2.0, best: 1.0, outside: 0.0, covere
 
 impl Look {
     /// Appearance of the body in a disc of a frame, px.
-    pub(crate) fn new(frame: &Compared<'_>, [x, y]: [f64; 2], radius: f64) -> Look {
-        let reach = (1.35 * radius + 2.0).ceil() as i64;
+    pub(crate) fn new(frame: &Compared<'_>, [x, y]: [f64; 2], shape: &Shape) -> Look {
         let (column, row) = (x.floor() as i64, y.floor() as i64);
-        let (mut spots, mut ring) = (Vec::new(), Vec::new());
-        for v in -reach..=reach {
-            for u in -reach..=reach {
-                let far = libm::hypot(u as f64, v as f64);
-                if far <= radius {
-                    let shade = frame.shade(column + u, row + v);
-                    spots.push(Spot { offset: [u, v], first: shade, now: shade });
-                } else if far > 1.1 * radius + 1.0 && far <= 1.3 * radius + 2.0 {
-                    ring.push([u, v]);
-                }
-            }
-        }
-        let shades: Vec<[f32; 3]> = spots.iter().map(|spot: &Spot| spot.first).collect();
+        let [inside, ring] = offsets(shape);
+        let spot = |offset: [i64; 2]| {
+            let shade = frame.shade(column + offset[0], row + offset[1]);
+            Spot { offset, first: shade, now: shade }
+        };
+        let spots: Vec<Spot> = inside.into_iter().map(spot).collect();
+        let shades: Vec<[f32; 3]> = spots.iter().map(|spot| spot.first).collect();
         let most = median_shade(&shades, f32::total_cmp);
         let others: Vec<[f32; 3]> =
             shades.iter().copied().filter(|shade| frame.distance(*shade, most) > OTHER).collect();

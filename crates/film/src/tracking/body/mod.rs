@@ -27,13 +27,15 @@ mod joining;
 mod look;
 mod meeting;
 mod moving;
+mod outline;
 mod part;
 mod refining;
+mod region;
 mod rival;
+mod shape;
 mod start;
 mod starting;
 mod template;
-mod vacated;
 
 use appearance::{Appearance, Sighting};
 use background::Background;
@@ -41,6 +43,7 @@ pub(crate) use disc::Disc;
 use evidence::Evidence;
 use moving::Moving;
 pub(crate) use part::{MARGIN, Part};
+pub(crate) use shape::Shape;
 pub(crate) use template::Template;
 
 use crate::plane::Plane;
@@ -64,7 +67,8 @@ const BYTES: usize = 96 << 20;
 pub struct Settings {
     /// Clicks on the body: in the first frame, and in key frames that supply further templates. Positions in px.
     pub keys: Vec<Click>,
-    /// Radius of the outline, px. Default: that of the circle around the click with the largest contrast.
+    /// Radius of the outline, px. Default: that of what has moved at the click; until it has left that place, that of the circle around the click
+    /// with the largest contrast.
     pub radius: Option<f64>,
     /// Readout time of the camera. Not estimated for bodies: [`Known::Estimated`] counts as 0.
     pub readout: Known,
@@ -254,6 +258,8 @@ impl Body {
     /// Continues the refinement by `steps` steps of about the work of one frame. Returns true once the track is
     /// complete.
     pub fn advance(&mut self, steps: usize) -> bool {
+        // An error leaves the track as it is.
+        let _ = self.end();
         let refining = self.refining.get_or_insert_with(|| Refining::new(self.templates.clone()));
         for _ in 0..steps {
             if self.track.is_some() {

@@ -15,6 +15,8 @@ use crate::tracking::similarity::Similarity;
 const ROUNDS: usize = 3;
 /// Maximum distance of a position from that of the first template along a coordinate, px.
 const REACH: f64 = 1.5;
+/// Correlation with the mean below which the position of an outline is more accurate.
+const UNLIKE: f64 = 0.6;
 /// Addition to the relative variance of a pixel in its weight, so that a few pixels do not dominate.
 const ADDITION: f64 = 0.5;
 
@@ -37,6 +39,8 @@ pub(crate) struct Seen {
     pub aside: bool,
     /// True if the first position is that of the template that is updated in each frame.
     pub updated: bool,
+    /// True if the first position is that of the outline, whatever the look.
+    pub outlined: bool,
     /// True if no other moving object touches the body, so that its position can be used for predictions.
     pub free: bool,
     /// True if the pixels of the body's disc move with its position.
@@ -52,7 +56,7 @@ pub(crate) struct Seen {
 impl Seen {
     /// Body found in a frame. `key`: index of the template.
     pub(super) fn new(frame: Frame<'_>, key: usize, part: Part, one: &Sighting) -> Seen {
-        let Sighting { found, agreement, updated, free, beside, outside, .. } = *one;
+        let Sighting { found, agreement, updated, outlined, free, beside, outside, .. } = *one;
         let [x, y] = found.position;
         let is_inside =
             (0.0..frame.plane.width() as f64).contains(&x) && (0.0..frame.plane.height() as f64).contains(&y);
@@ -68,6 +72,7 @@ impl Seen {
             agreement,
             aside,
             updated,
+            outlined,
             free,
             moves: true,
             alone: true,
@@ -132,6 +137,10 @@ impl Refining {
                 let one = &mut seen[at];
                 if let Some(template) = self.templates.get(one.key) {
                     one.now = template.align(&one.part, one.first.position, REACH, one.beside);
+                    // A look that turns has no mean.
+                    if one.outlined && one.now.score < UNLIKE {
+                        one.now = Found { score: one.now.score, ..one.first };
+                    }
                 }
                 self.stage = Stage::Aligning(at + 1);
             }

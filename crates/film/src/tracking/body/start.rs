@@ -1,8 +1,8 @@
 //! Frames kept after a click.
 
 use crate::plane::Plane;
-use crate::tracking::body::disc::Disc;
 use crate::tracking::body::frame::Frame;
+use crate::tracking::body::region::Region;
 use crate::tracking::similarity::Similarity;
 
 /// Frame that was taken.
@@ -28,12 +28,17 @@ pub(super) struct Start {
     pub seen: usize,
     pub templates: usize,
     pub lost: Option<usize>,
-    /// Disc at the age before.
-    pub disc: Option<Disc>,
+    /// Body at the two ages before, the last one first.
+    pub regions: [Option<Region>; 2],
 }
 
 impl Start {
+    /// The frames from the click on.
+    pub(super) fn planes(&self) -> Vec<&Plane> {
+        self.shots.iter().map(|shot| &shot.plane).collect()
+    }
+
     pub(super) fn new(click: [f64; 2], (seen, templates): (usize, usize), lost: Option<usize>) -> Start {
-        Start { click, shots: Vec::new(), seen, templates, lost, disc: None }
+        Start { click, shots: Vec::new(), seen, templates, lost, regions: [None, None] }
     }
 }

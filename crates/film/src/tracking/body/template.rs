@@ -3,6 +3,7 @@
 use crate::plane::Plane;
 use crate::tracking::body::disc::Disc;
 use crate::tracking::body::part::Part;
+use crate::tracking::body::shape::Shape;
 use crate::tracking::linear::solve;
 
 /// Maximum number of steps of an alignment.
@@ -57,15 +58,13 @@ fn reach(disc: Disc) -> i64 {
 
 impl Template {
     /// Template from the disc near a point, px.
-    pub(crate) fn new(part: &Part, point: [f64; 2], disc: Disc) -> Template {
+    pub(crate) fn new(part: &Part, point: [f64; 2], disc: Disc, shape: &Shape) -> Template {
+        let margin = disc.radius - shape.extent;
         let reach = reach(disc);
         let offsets = (-reach..=reach).flat_map(|row| (-reach..=reach).map(move |column| [column as f64, row as f64]));
         let jets = offsets.zip(part.jets(point, reach)).enumerate();
         let samples = jets
-            .filter(|(_, (offset, _))| {
-                let from = [offset[0] - disc.shift[0], offset[1] - disc.shift[1]];
-                from[0] * from[0] + from[1] * from[1] <= disc.radius * disc.radius
-            })
+            .filter(|(_, (offset, _))| shape.beyond([0, 1].map(|k| offset[k] - disc.shift[k])) <= margin)
             .map(|(place, (offset, (value, gradient)))| Sample { offset, place, value, gradient, weight: 1.0 })
             .collect();
         Template { samples, disc }

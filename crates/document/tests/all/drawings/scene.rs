@@ -164,7 +164,7 @@ fn dragging_names_a_state_and_says_how_much() {
         "<g>;<g drag 0 Some(0) None>;",
         &[
             "`drag-zero` belongs to what moves up and down alone",
-            "the term `1 [m]` has the unit m, but a pure number is needed",
+            "a length in the drawing is a pure number, in units of the `viewBox`",
         ],
     );
     inside(

@@ -80,7 +80,7 @@ fn what_gives_no_document_is_refused_and_nothing_is_written() {
     fs::write(folder.path().join("text.ejss"), "no simulation").unwrap();
     for (file, language, message) in [
         ("page.html", "en", "This is an exported page."),
-        ("page.html", "es", "Esta es una página exportada."),
+        ("page.html", "es", "Esto es una página exportada."),
         ("text.ejss", "en", "This is no simulation of Easy JavaScript Simulations."),
         ("missing.ejss", "en", "cannot read missing.ejss"),
     ] {

@@ -192,7 +192,7 @@ fn kept_runs_and_the_link_keep_theirs() {
     let other = by_link(&play);
     assert_eq!(
         other.time_line().kept(other.basis()).iter().map(|kept| kept.name.clone()).collect::<Vec<_>>(),
-        ["Kick 1.00 s", "Kick × 4"]
+        ["A = 0.3 m, Kick 1.00 s", "A = 0.3 m, Kick × 4"]
     );
 }
 

@@ -183,8 +183,8 @@ fn runs_are_kept_by_what_differs() {
     assert_eq!(
         names(&play),
         [
-            "ρ = 998 kg/m³, b = 50 kg/s",
-            "ρ = 998 kg/m³, b = 50 kg/s → 200 kg/s",
+            "ρ = 1000 kg/m³, b = 50 kg/s",
+            "ρ = 1000 kg/m³, b = 50 kg/s → 200 kg/s",
             "ρ = 13534 kg/m³, b = 200 kg/s, y(0) = 0.3 m, y′(0) = 0 m/s, Euler",
             "ρ = 13534 kg/m³, b = 200 kg/s, y(0) = 0.3 m, y′(0) = 0 m/s, Euler (2)",
         ]

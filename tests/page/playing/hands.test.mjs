@@ -27,6 +27,8 @@ async function template(lab, name, panel) {
 visit("Space is the transport's after a click on whatever button, and the button's after Tab", async (lab) => {
   await lab.button("Play").click();
   await playing(lab);
+  // A run without a step is not kept.
+  await lab.watchUntil(0.5);
   await lab.page.keyboard.press("Space");
   await paused(lab);
   // A run that is kept is kept once.

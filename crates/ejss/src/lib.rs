@@ -57,9 +57,12 @@ pub fn import(bytes: &[u8], accepts: &mut dyn FnMut(&str) -> Result<(), String>)
     let mut importing = Importing::begin(bytes)?;
     loop {
         let imported = importing.candidate();
+        if imported.listed_because.is_some() {
+            return Ok(imported);
+        }
         match accepts(&imported.document) {
-            Err(error) if imported.listed_because.is_none() => importing.refuse(error),
-            _ => return Ok(imported),
+            Err(error) => importing.refuse(error),
+            Ok(()) => return Ok(imported),
         }
     }
 }

@@ -84,3 +84,14 @@ pub(crate) struct Reason {
     pub place: Place,
     pub obstacle: Obstacle,
 }
+
+impl Reason {
+    /// The reason with its place, as part of a sentence.
+    pub fn words(&self) -> Words {
+        let (why, section) = (self.obstacle.words(), self.place.section.words());
+        match self.place.line {
+            Some(line) => words!("{why} ({section}, line {line})"),
+            None => words!("{why} ({section})"),
+        }
+    }
+}

@@ -78,6 +78,11 @@ impl Figure {
         self.present.filter(|_| self.is_level)
     }
 
+    /// True if there is a scale of a drawing beside the plot, and the automatic range does not fit into it.
+    pub fn exceeds_level(&self) -> bool {
+        self.level.is_some() && !self.is_level && self.view.is_automatic()
+    }
+
     /// Horizontal scale; `None` before the first layout or if there is no room for the panel.
     pub fn x_scale(&self) -> Option<&Scale> {
         self.x.as_ref()

@@ -29,7 +29,7 @@ pub struct Sender {
     pub assignment: String,
 }
 
-/// What a hand-in says of itself.
+/// Head of a hand-in: its version, program, time and sender.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Head {
     /// Version of its format.
@@ -47,7 +47,7 @@ pub struct Head {
 /// A hand-in, cut into texts in JSON.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Parts<'a> {
-    /// What it says of itself.
+    /// Its head.
     pub head: Head,
     /// Document and translations.
     pub documents: Cow<'a, str>,

@@ -120,7 +120,7 @@ pub struct Laboratory {
     pub class: Room,
     /// The answers of the class to surveys.
     pub survey: SurveyRoom,
-    /// What the strip under the plots and the tab *Measure* share about fits.
+    /// State of fits that the strip under the plots and the tab *Measure* share.
     pub fit: Fitting,
     /// Progress of the fits started by the user, `None` while none runs.
     pub fit_progress: Signal<Option<FitProgress>>,

@@ -57,8 +57,8 @@ pub use basis::input::DIGITS;
 pub use changes::{Changes, Outcome, Revision};
 pub use claims::{ClaimView, Claims, ClaimsView, Deviation, deviation, deviation_svg};
 pub use controls::{
-    ButtonView, ChoiceView, Controls, DrawingView, Grips, Level, MethodView, ParameterGroup, ParameterView,
-    PresetGroup, PresetView, Settings, SizeView, Slider,
+    ButtonView, ChoiceView, Controls, DrawingView, Grips, MethodView, ParameterGroup, ParameterView, PresetGroup,
+    PresetView, SceneLevel, Settings, SizeView, Slider,
 };
 pub use facts::{UNKNOWN_GRADE, facts_of_answers, facts_of_run};
 pub use open_run::OpenRun;

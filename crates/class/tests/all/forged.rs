@@ -10,7 +10,7 @@ use saved::hand_in::{FactValue, HandIn, Part};
 use saved::{Item, Number};
 use units::Language;
 
-/// What a student has done: a wrong answer, a look, a right one, two answers to the other question, a kept run.
+/// Work of a student: a wrong answer, a look, a right one, two answers to the other question, a kept run.
 fn work(documents: &[Source]) -> Desk {
     let mut desk = seated(documents, "7");
     check(&mut desk, 0, "5");

@@ -31,7 +31,7 @@ fn act(desk: &mut Desk, chance: &mut Noise, seen: &mut Vec<Seen>) {
         1 => set(desk, "g", 1.0 + 20.0 * chance.uniform()),
         2 => desk.play_mut().change_settings(|settings| settings.apply_preset(0)).unwrap(),
         3 => desk.play_mut().apply_question_setup(0).unwrap(),
-        // What the page would show as the right answer, as it is typed.
+        // The right answer that the page would show, as it is typed.
         4 | 5 => {
             let right = desk.play().answers().right_text(desk.play().basis(), desk.play().course(), 0);
             give(desk, seen, 0, &right);

@@ -62,22 +62,10 @@ impl Blocker {
                 let value = shown(value);
                 words!("the time begins at {value}")
             }
-            Self::Code(reason) => {
-                let (why, section) = (reason.obstacle.words(), reason.place.section.words());
-                match reason.place.line {
-                    Some(line) => words!("{why} ({section}, line {line})"),
-                    None => words!("{why} ({section})"),
-                }
-            }
+            Self::Code(reason) => reason.words(),
             Self::Needed(name, reason) => {
-                let (name, why, section) =
-                    (shown(original(name)), reason.obstacle.words(), reason.place.section.words());
-                match reason.place.line {
-                    Some(line) => {
-                        words!("{name} cannot be translated, and the motion needs it: {why} ({section}, line {line})")
-                    }
-                    None => words!("{name} cannot be translated, and the motion needs it: {why} ({section})"),
-                }
+                let (name, reason) = (shown(original(name)), reason.words());
+                words!("{name} cannot be translated, and the motion needs it: {reason}")
             }
             Self::Checker(message) => {
                 let message = shown(message);

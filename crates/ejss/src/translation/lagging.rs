@@ -2,7 +2,7 @@
 
 use super::facts::Facts;
 use super::motion::Motion;
-use super::needs::Search;
+use super::needs::reached;
 use super::value::Value;
 use crate::place::{Reason, Section};
 use crate::refusal::Obstacle;
@@ -27,11 +27,7 @@ impl Motion {
                     _ => {}
                 }
             });
-            let depends = |name: &&String| {
-                let mut search = Search::new(facts, self);
-                search.key(name);
-                search.found.contains(key)
-            };
+            let depends = |name: &&String| reached(facts, self, &Value::Name((*name).clone())).contains(key);
             let place = facts.place_of(key, Section::FixedRelations);
             let known = if let Some(name) = earlier.iter().find(depends) {
                 let unknown = || Reason { place, obstacle: Obstacle::Past(name.clone()) };

@@ -33,7 +33,7 @@ pub(super) struct Motion {
     pub blockers: Vec<Reason>,
 }
 
-/// What an event waits for.
+/// Trigger of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Trigger {
     /// Its quantity passes through zero, either way.

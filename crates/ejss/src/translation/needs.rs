@@ -35,6 +35,13 @@ impl Functions {
     }
 }
 
+/// All keys on which a value depends, those on which their values at the start depend among them.
+pub(super) fn reached(facts: &Facts, motion: &Motion, value: &Value) -> BTreeSet<String> {
+    let mut search = Search::new(facts, motion);
+    search.value(value);
+    search.found
+}
+
 /// Follows values through definitions, constants, functions and events.
 pub(super) struct Search<'a> {
     facts: &'a Facts,

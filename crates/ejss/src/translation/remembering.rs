@@ -2,7 +2,7 @@
 
 use super::facts::{Facts, Role};
 use super::motion::{Motion, SolvedEvent, Trigger};
-use super::needs::Search;
+use super::needs::reached;
 use super::value::{Kind, Value};
 use crate::place::{Place, Section};
 use std::collections::BTreeSet;
@@ -23,18 +23,9 @@ impl Relations<'_> {
         self.motion.definitions.iter().find(|(own, _)| own == key)?.1.as_ref().ok()
     }
 
-    /// True if the value of a key depends on one of `others`.
-    fn depends(&self, key: &str, others: &BTreeSet<String>) -> bool {
-        let mut search = Search::new(self.facts, self.motion);
-        search.key(key);
-        !search.found.is_disjoint(others)
-    }
-
-    /// True if the value of a function of the simulation depends on a kept key.
-    fn depends_in(&self, function: &str) -> bool {
-        let mut search = Search::new(self.facts, self.motion);
-        search.value(&Value::Own(function.to_owned(), Vec::new()));
-        !search.found.is_disjoint(&self.kept)
+    /// True if a value depends on one of some keys.
+    fn depends(&self, value: &Value, keys: &BTreeSet<String>) -> bool {
+        !reached(self.facts, self.motion, value).is_disjoint(keys)
     }
 
     /// Keys of relations that read a value of the step before which depends on them, and the keys of these values.
@@ -44,7 +35,10 @@ impl Relations<'_> {
             let Ok(value) = known else { continue };
             let itself = BTreeSet::from([key.clone()]);
             found.extend(
-                past(value).into_iter().filter(|name| self.depends(name, &itself)).flat_map(|name| [key.clone(), name]),
+                past(value)
+                    .into_iter()
+                    .filter(|name| self.depends(&Value::Name(name.clone()), &itself))
+                    .flat_map(|name| [key.clone(), name]),
             );
         }
         found
@@ -66,14 +60,14 @@ impl Relations<'_> {
         let mut is_whole = depth < DEEPEST;
         let value = self.value(key)?.map(&mut |part| match part {
             Value::Past(name) => {
-                is_whole &= self.kept.contains(name) || !self.depends(name, &self.kept);
+                is_whole &= self.kept.contains(name) || !self.depends(part, &self.kept);
                 let start = || self.motion.start.get(name).and_then(|known| known.clone().ok());
                 start().filter(|_| at_start && self.kept.contains(name))
             }
             Value::Name(name) => match self.facts.role(name) {
                 Some(Role::State) => at_start.then(|| Value::Start(name.clone())),
                 Some(Role::Time) => at_start.then(|| Value::number(0.0)),
-                _ if is_whole && self.depends(name, &self.kept) => {
+                _ if is_whole && self.depends(part, &self.kept) => {
                     let fresh = self.fresh(name, at_start, depth + 1);
                     is_whole &= fresh.is_some();
                     fresh
@@ -82,7 +76,7 @@ impl Relations<'_> {
             },
             // Functions read kept keys by their names, as they are now.
             Value::Own(name, _) => {
-                is_whole &= !self.depends_in(name);
+                is_whole &= !self.depends(&Value::Own(name.clone(), Vec::new()), &self.kept);
                 None
             }
             _ => None,

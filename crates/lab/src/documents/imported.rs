@@ -58,12 +58,13 @@ async fn import(bytes: &[u8], language: Language) -> Result<Imported, Refusal> {
     loop {
         browser::breathe().await;
         let imported = importing.candidate();
+        if imported.listed_because.is_some() {
+            return Ok(imported);
+        }
         browser::breathe().await;
         match document::open(&imported.document, &[]).first_error() {
-            Some(error) if imported.listed_because.is_none() => {
-                importing.refuse(error.message.text(language).into_owned());
-            }
-            _ => return Ok(imported),
+            Some(error) => importing.refuse(error.message.text(language).into_owned()),
+            None => return Ok(imported),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What the strip under the plots and the tab *Measure* share about fits.
+//! State of fits that the strip under the plots and the tab *Measure* share.
 
 use desk::PeriodQuestion;
 use view::views::*;

@@ -17,7 +17,7 @@ mod start;
 
 pub use button::ButtonView;
 pub use drawing::DrawingView;
-pub use level::Level;
+pub use level::SceneLevel;
 pub use method::MethodView;
 pub use parameter::{ChoiceView, ParameterGroup, ParameterView};
 pub use preset::{PresetGroup, PresetView};

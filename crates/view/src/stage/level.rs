@@ -60,7 +60,7 @@ impl Beside {
     }
 
     /// Scale of the drawing for the plot.
-    pub fn level(&self, level: play::Level) -> figure::Level {
+    pub fn level(&self, level: play::SceneLevel) -> figure::Level {
         figure::Level { zero: self.origin + self.scale * level.zero - self.canvas.top, unit: self.scale * level.unit }
     }
 
@@ -130,7 +130,8 @@ impl LevelNodes {
         let handle = scene.handle(level.map_or(0, |level| level.handle))?;
         let [x, y] = Sides::of(&handle.get_bounding_client_rect(), &body).middle();
         let matrix = scene.root().get_screen_ctm()?;
-        let height = |level: play::Level| f64::from(matrix.f()) + f64::from(matrix.d()) * level.present - body.top();
+        let height =
+            |level: play::SceneLevel| f64::from(matrix.f()) + f64::from(matrix.d()) * level.present - body.top();
         Some([x, level.map_or(y, height)])
     }
 }

@@ -45,6 +45,8 @@ pub struct PlotNodes {
     /// Place beside the scene; `None` until it has been measured.
     beside: Option<Option<Beside>>,
     lead: Option<Lead>,
+    /// True once it has needed the height of the scene.
+    tall: bool,
     sight: Option<Sight>,
     observer: Option<ResizeObserver>,
     /// Kept alive for the observer.
@@ -102,10 +104,9 @@ impl PlotNodes {
         let settings = Settings { level: level.map(|(level, _)| level), ..self.settings(font_size) };
         let Some(figure) = play.layout_plot(id, &settings) else { return false };
         self.lead = level.and_then(|(_, beside)| Some(beside.lead(figure.level_point()?)));
-        let is_cut = level.is_some() && self.lead.is_none();
         canvas::paint(&self.context, figure, colours, self.scale);
         self.stale = figure.is_unfinished();
-        if is_cut && play.plots().list().iter().any(|plot| plot.id == id && plot.automatic) {
+        if figure.exceeds_level() && !std::mem::replace(&mut self.tall, true) {
             // The scale of the scene needs a plot as high as the scene.
             let plot = self.canvas.closest(".plot").ok().flatten();
             plot.into_iter().for_each(|plot| drop(plot.class_list().add_1("tall")));
@@ -133,7 +134,7 @@ impl PlotNodes {
     }
 
     /// Scale of the scene for the plot beside it.
-    fn level(&mut self, level: play::Level, scene: &SceneNodes) -> Option<(figure::Level, Beside)> {
+    fn level(&mut self, level: play::SceneLevel, scene: &SceneNodes) -> Option<(figure::Level, Beside)> {
         let beside = *self.beside.get_or_insert_with(|| Beside::measure(scene, level.handle, &self.canvas));
         beside.map(|beside| (beside.level(level), beside))
     }
@@ -221,6 +222,7 @@ pub fn register(app: App, id: PlotId, canvas: &HtmlCanvasElement, tip: &HtmlElem
         gesture: Gesture::default(),
         beside: None,
         lead: None,
+        tall: false,
         sight: None,
         observer: observer.clone(),
         _resized: resized,

@@ -45,9 +45,9 @@ const BLACK: f64 = 16.0;
 /// the click.
 const MOSTLY: f32 = 0.5;
 const LARGER: f64 = 1.06;
+const LARGEST: f64 = 1.6;
 /// Width of the blurred edge that differs from the background, too, px.
 const EDGE: f64 = 2.0;
-const LARGEST: f64 = 1.6;
 /// Maximum change of the pixels of the body once it has left them, relative to the change at the click, both beyond that of noise.
 const REST: f64 = 0.35;
 const NOISE: f64 = 0.2;

@@ -15,6 +15,7 @@
 //! | scripts, `#module` | `opening.js`, `boot.js`, the player's module with its script | before the first picture |
 //! | `#laboratory`, `style`, `#laboratory-glue`, `#library` | the laboratory's module and script, documents | in an idle page, or on request |
 //! | `#editor`, `#player` | editor, template of published pages without its module | on request |
+//! | `#sample-film` | film of a U-tube (`simulations/films`) | on request |
 //!
 //! `boot.js` starts the player (`player/src/laboratory.rs`); tabs and buttons of the laboratory wait (`aria-busy`), and using
 //! one asks for it. In a site the elements are files of their own, and the player's module is the one of all its pages.
@@ -237,10 +238,15 @@ fn with_laboratory(page: &str, laboratory: &Bound, player: &str) -> Result<Strin
             later += &library_of_page;
         }
     }
+    let film = steps::root().join("simulations").join("films").join("tube.mp4");
+    let film = std::fs::read(&film).with_context(|| format!("cannot read {}", film.display()))?;
+    later += &format!("{}{}</script>", page::FILM, encoded(&film));
     let (name, program) = first(&library)?;
     let bundle = bundle::write(&program).map_err(|error| anyhow!("{name} cannot be bundled: {error:?}"))?;
     let page = page::opening(page, &name, &pack(zopfli::Format::Gzip, &bundle)?).context("the page has no marker")?;
-    let count = library.iter().filter(|file| document::translates(&file.text).is_none()).count();
+    let is_simulation =
+        |file: &&Source| !file.name.starts_with("theories/") && document::translates(&file.text).is_none();
+    let count = library.iter().filter(is_simulation).count();
     let page = page.replacen(PLACE, &format!("{PLACE} data-simulations=\"{count}\""), 1);
     Ok(page.replace(LATER, &later))
 }

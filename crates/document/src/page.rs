@@ -57,6 +57,9 @@ pub const GLUE: &str = "<script type=\"application/octet-stream\" id=\"laborator
 /// Opening tag of the element with the documents of the laboratory ([`write_list`]).
 pub const LIBRARY: &str = "<script type=\"application/json\" id=\"library\">";
 
+/// Opening tag of the element with the sample film of the laboratory: an MP4 file in base64.
+pub const FILM: &str = "<script type=\"application/octet-stream\" id=\"sample-film\">";
+
 /// Marker for the place of the documents in a page.
 pub const MARKER: &str = "<!--documents-->";
 

@@ -25,6 +25,8 @@ globalThis.opening = {
     opening.give = give;
     offered();
   },
+  // The packed bytes of a part.
+  bytes: (id) => packed(document.getElementById(id)),
   // A part of the player as text, for pages that the laboratory publishes.
   async part(id) {
     const part = document.getElementById(id);

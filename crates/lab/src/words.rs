@@ -101,6 +101,7 @@ table_of_words! {
     library_search: "Search";
     library_topics: "Topics";
     library_found: "Simulations found";
+    library_and_theories: "theories";
     library_intro: "Records and fits stay when another document is opened.";
     library_own: "My documents";
     own_changed: "Last changed";

@@ -75,6 +75,7 @@ fn prepare(app: App) {
     panel::follow(app);
     film::mark_page(app);
     film::follow(app);
+    film::follow_story(app);
     fit::follow(app);
 }
 

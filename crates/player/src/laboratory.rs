@@ -33,6 +33,8 @@ fn show(place: HtmlElement, embedding: Embedding, language: Language, opening: O
     let root = create_root(|| {
         let view = || {
             let (app, simulation, runs) = simulation::open(Simulation::of_laboratory(embedding), language);
+            // Set here for the first time, so this cannot fail.
+            let _ = simulation.app.set(app);
             restore(app, &opening);
             everything::restore(app);
             opening::keep_tab(app);
@@ -93,7 +95,7 @@ fn content(app: App, opening: &Rc<Opening>) -> View {
     let panel = panel::view(app, panel::shown(app, tabs));
     let body = main().class("laboratory").child(stage::view(app)).child(panel);
     let asking = opening.clone();
-    let is_own = opening.name() == welcome::OPENING && document().get_element_by_id("documents").is_none();
-    let line = is_own.then(|| welcome::line(app, welcome::is_first_visit(), move |id| asking.ask(id)));
+    let line =
+        welcome::is_home(opening).then(|| welcome::line(app, welcome::is_first_visit(), move |id| asking.ask(id)));
     View::from((header::view(app, line.map_or_else(View::new, View::from), own, in_menu), body))
 }

@@ -6,7 +6,10 @@ use play::{Embedding, Play};
 use program::bundle;
 use std::cell::{Cell, OnceCell, RefCell};
 use units::Language;
-use view::{App, Host, page::shell};
+use view::page::opening::Opening;
+use view::page::{shell, welcome};
+use view::views::View;
+use view::{App, Host};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The simulation; `None` until it has been read.
@@ -61,6 +64,14 @@ impl Host for Simulation {
 
     fn embedding(&self) -> Embedding {
         self.embedding.clone()
+    }
+
+    fn door(&self) -> View {
+        let opening = Opening::of_page().filter(|_| self.is_passed_on).filter(welcome::is_home);
+        match (self.app.get(), opening) {
+            (Some(app), Some(opening)) => welcome::door(*app, move || opening.ask(welcome::SEE)).into(),
+            _ => View::new(),
+        }
     }
 
     fn has_fixed_seat(&self) -> bool {

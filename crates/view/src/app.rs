@@ -67,6 +67,11 @@ pub trait Host {
         View::new()
     }
 
+    /// Way on from the opening document, under its plots.
+    fn door(&self) -> View {
+        View::new()
+    }
+
     /// Called when a time in a plot against time is pointed at. `_time` computes this time of the run (SI) on demand.
     fn look_at(&self, _time: &mut dyn FnMut() -> Option<f64>) {}
 

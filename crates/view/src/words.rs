@@ -47,6 +47,8 @@ table_of_words! {
     first_steps: "First steps";
     guide: "60-second start";
     film_own: "Film your own";
+    see_measured: "See it measured";
+    see_measured_note: "A film of this tube: watch the curve come out of it. Half a minute.";
     open: "Open";
     publish: "Share";
     document: "Document";

@@ -35,8 +35,8 @@ async function moves(lab, title) {
 }
 
 for (const [language, words] of [
-  ["en-GB", { typed: "pendul", with: "The double pendulum", without: "The pendulum, small swings and large", chaos: "chaos", count: /^Simulations found: (\d+) \/ (\d+)$/ }],
-  ["es-ES", { typed: "PENDULO", with: "El péndulo doble", without: "El péndulo, oscilaciones pequeñas y grandes", chaos: "caos", count: /^Simulaciones encontradas: (\d+) \/ (\d+)$/ }],
+  ["en-GB", { typed: "pendul", with: "The double pendulum", without: "The pendulum, small swings and large", chaos: "chaos", count: /^Simulations found: (\d+) \/ (\d+)(?: · theories: (\d+))?$/ }],
+  ["es-ES", { typed: "PENDULO", with: "El péndulo doble", without: "El péndulo, oscilaciones pequeñas y grandes", chaos: "caos", count: /^Simulaciones encontradas: (\d+) \/ (\d+)(?: · teorías: (\d+))?$/ }],
 ]) {
   visit(`the library is searched by keyboard: ${language}`, { language }, async (lab) => {
     await lab.tabTo("#browse");
@@ -44,13 +44,18 @@ for (const [language, words] of [
     await eventually(async () => assert.equal((await lab.focused()).id, "library-search"));
     const all = (await titles(lab)).length;
     assert.ok(all > 25, `${all} documents`);
-    assert.match(await lab.page.locator("#browse").innerText(), new RegExp(`\\b${all}$`), "the button says how many there are");
-    assert.deepEqual((await count(lab)).match(words.count).slice(1).map(Number), [all, all]);
+    const theories = await library(lab).locator("section:visible").last().locator(".cards > li").count();
+    const simulations = all - theories;
+    assert.match(await lab.page.locator("#browse").innerText(), new RegExp(`\\b${simulations}$`), "the button says how many there are");
+    assert.deepEqual((await count(lab)).match(words.count).slice(1).map(Number), [simulations, simulations, theories]);
+    // Each simulation stands in a course, with a level.
+    assert.equal(await library(lab).locator(".library-level").count(), simulations);
+    assert.equal(await library(lab).locator("section:visible").count(), 9, "eight courses and the theories");
     await lab.page.keyboard.type(words.typed);
     await eventually(async () => assert.ok((await titles(lab)).length < all));
     const found = await titles(lab);
     assert.ok(found.includes(words.with) && found.includes(words.without), found.join());
-    assert.deepEqual((await count(lab)).match(words.count).slice(1).map(Number), [found.length, all]);
+    assert.deepEqual((await count(lab)).match(words.count).slice(1, 3).map(Number), [found.length, simulations]);
     // Every word narrows the search, whatever their order.
     await lab.page.keyboard.type(`  ${words.chaos}`);
     await eventually(async () => assert.ok((await titles(lab)).length < found.length));

@@ -5,7 +5,7 @@ use super::names::{FROM_DISK, WORKER};
 use crate::failure::Failure;
 use crate::page;
 use base64::Engine as _;
-use document::page::{EDITOR, GLUE, LABORATORY, LABORATORY_TEXTS, MODULE, PLAYER, POLICY, TEXTS};
+use document::page::{EDITOR, FILM, GLUE, LABORATORY, LABORATORY_TEXTS, MODULE, PLAYER, POLICY, TEXTS};
 use flate2::read::DeflateDecoder;
 use std::io::Read as _;
 
@@ -59,7 +59,11 @@ impl Parts {
                 }
                 "<script>" => scripts.push(content),
                 MODULE => module = Some(content),
-                _ if tag == LABORATORY || tag.starts_with(TEXTS) || tag.starts_with(LABORATORY_TEXTS) => {
+                _ if tag == LABORATORY
+                    || tag == FILM
+                    || tag.starts_with(TEXTS)
+                    || tag.starts_with(LABORATORY_TEXTS) =>
+                {
                     let id = between(tag, "id=\"", "\"").unwrap_or_default();
                     let attributes = packed(id, id, content, files)?.attributes("file");
                     html.push_str(&tag.replace('>', &format!("{attributes}></script>")));
@@ -160,7 +164,7 @@ mod tests {
             "<head><meta content=\"{POLICY}\"><style>\nb {{}}</style><script>\n1;\n</script></head>\
              <body><!--documents--><script>\n2;\n</script>{MODULE}AAEC</script><script>\n3;\n</script>\
              {TEXTS}es\">AAEE</script><style>\ni {{}}</style>{LABORATORY}AAED</script>{GLUE}M7EGAA==</script>{LIBRARY}[]</script>{EDITOR}M7EGAA==</script>\
-             {PLAYER}AAAA</script></body>"
+             {PLAYER}AAAA</script>{FILM}AAEF</script></body>"
         );
         let mut files = Files::default();
         let parts = Parts::of(&whole, "page", &mut files).expect("a page");
@@ -192,7 +196,11 @@ mod tests {
         let (publish, text) = named("publish", ".js");
         assert_eq!(text, b"document.getElementById(\"player\").textContent = \"AAAA\";\n");
         let player = format!("id=\"player\" data-script=\"{ROOT}{publish}\"></script>");
-        assert!(parts.html.ends_with(&format!("{player}</body>")) && parts.html.contains(&lazy), "{}", parts.html);
+        assert!(parts.html.contains(&player) && parts.html.contains(&lazy), "{}", parts.html);
+        // The sample film is a file, which the laboratory fetches on demand.
+        let (film, bytes) = named("sample-film", ".bin");
+        assert_eq!(bytes, [0, 1, 5]);
+        assert!(parts.html.contains(&format!("id=\"sample-film\" data-file=\"{ROOT}{film}\"")), "{}", parts.html);
         assert!(parts.html.contains(&format!("{LIBRARY}[]</script>")), "{}", parts.html);
     }
 }

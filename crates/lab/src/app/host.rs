@@ -1,7 +1,7 @@
 //! The laboratory as the page around the views of the simulation: its announcements, views and storage.
 
 use super::{Lab, Store};
-use crate::{documents::saved, documents::visited, film, fit, measuring::data, write};
+use crate::{documents::saved, documents::visited, film, fit, measuring::data, welcome, write};
 use desk::{Announcement, Desk};
 use play::{Embedding, Play};
 use units::Language;
@@ -88,6 +88,10 @@ impl Host for Store {
 
     fn strip(&self) -> View {
         self.app.get().map_or_else(View::new, |app| fit::strip(*app))
+    }
+
+    fn door(&self) -> View {
+        self.app.get().map_or_else(View::new, |app| welcome::door(*app))
     }
 
     fn look_at(&self, time: &mut dyn FnMut() -> Option<f64>) {

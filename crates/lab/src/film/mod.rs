@@ -3,7 +3,7 @@
 //! `access` is all that knows how a browser decodes. `signals.rs` holds what views track, `state.rs` what the desk says of
 //! the open film. `tools.rs` says what a click on the film means, `tracking.rs` drives the desk's tracking in slices,
 //! `together.rs` keeps the run at the time of the frame shown. `stage.rs` puts the film in the place of scene and transport
-//! (`view::Host::picture`), `acts` are the four steps in the panel, `filming` is the virtual camera.
+//! (`view::Host::picture`), `sample` is the film that the page has, `acts` are the four steps in the panel, `filming` is the virtual camera.
 
 mod access;
 pub mod acts;
@@ -21,6 +21,7 @@ mod opening;
 mod overlay;
 mod project;
 mod refusals;
+mod sample;
 mod signals;
 mod space_time;
 pub mod stage;
@@ -36,5 +37,6 @@ pub use frames::look_at;
 pub use now::refresh;
 pub use opening::{is_film, mark_page, open};
 pub use project::open as open_of_project;
+pub use sample::{begin as see_measured, follow as follow_story};
 pub use signals::Films;
 pub use together::follow;

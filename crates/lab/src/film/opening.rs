@@ -22,7 +22,8 @@ const ENDINGS: [&str; 12] =
 /// Marks the page for the style sheet while a film is on the stage, and tracks the size of the window.
 pub fn mark_page(app: App) {
     effect(move || {
-        let shown = app.films.open.get() && app.films.shown.get();
+        let told = app.films.story.with(Option::is_some);
+        let shown = app.films.open.get() && app.films.shown.get() && !told;
         if let Some(root) = document().document_element() {
             let _ = root.class_list().toggle_with_force("with-film", shown);
         }

@@ -1,6 +1,7 @@
 //! Signals of the film views.
 
 use super::aim::{Aim, Handle, Kind, Pixel, Tool};
+use super::sample::Moment;
 use super::state::Now;
 use desk::{SpaceTimePicture, TrackingProgress, TruthComparison};
 use film::tracking::column::Click;
@@ -64,6 +65,8 @@ pub struct Films {
     pub lengths_refused: Signal<Option<String>>,
     /// Reason for which the number of intervals of the ruler was refused.
     pub intervals_refused: Signal<Option<String>>,
+    /// Present moment of *See it measured*, `None` while it is not shown.
+    pub story: Signal<Option<Moment>>,
     /// Counter, increased when the window changes its size.
     pub resized: Signal<u64>,
 }
@@ -99,6 +102,7 @@ impl Films {
             sides: create_signal(Default::default()),
             lengths_refused: create_signal(None),
             intervals_refused: create_signal(None),
+            story: create_signal(None),
             resized: create_signal(0),
         }
     }

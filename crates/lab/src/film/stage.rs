@@ -2,7 +2,7 @@
 
 use super::frames::{go, play, step};
 use super::keys::key;
-use super::{doubts, frame, space_time, words};
+use super::{doubts, frame, sample, space_time, words};
 use crate::app::App;
 use view::pieces::icons;
 use view::views::*;
@@ -38,7 +38,12 @@ pub fn picture(app: App) -> View {
 
 /// Bar with the frames; empty while the film is not shown.
 pub fn transport(app: App) -> View {
-    changing(move || if app.films.open.get() && app.films.shown.get() { bar(app).into() } else { View::new() })
+    let told = memo(move || app.films.story.get());
+    changing(move || match told.get() {
+        Some(_) => sample::bar(app),
+        None if app.films.open.get() && app.films.shown.get() => bar(app).into(),
+        None => View::new(),
+    })
 }
 
 fn bar(app: App) -> HtmlSection {

@@ -34,6 +34,17 @@ table_of_words! {
     play: "Play the film";
     pause: "Pause the film";
 
+    // The sample film.
+    sample_film: "Sample film";
+    see_measured: "See it measured";
+    story_film: "A tube, dyed water, a camera. The surface is being found in each frame.";
+    story_curve: "While the liquid swings, its curve is drawn out of the surface.";
+    story_theory: "The drawn tube swings, too, but not like the filmed one: its curve misses the points.";
+    story_fit: "The fit changes damping and start until the curve meets the points, and gives the period with its error.";
+    story_skip: "Skip";
+    story_close: "Stay with the film";
+    your_turn: "Your turn: drag the liquid";
+
     // Prompts for the next click.
     leave: "Skip";
     ask_surface: "Click the surface of the liquid";

@@ -11,10 +11,12 @@ mod starting;
 mod strip;
 mod suitability;
 mod theories;
+mod travel;
 mod work;
 
 pub use results::RESULTS;
 pub use signals::Fitting;
+pub use starting::start;
 pub use strip::view as strip;
 pub use suitability::follow;
 pub use work::go_on;

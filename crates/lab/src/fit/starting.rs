@@ -18,7 +18,7 @@ pub fn button_of(app: App, rank: bool) -> HtmlButton {
 }
 
 /// Fits the open document, as soon as it is known whether it can hold the record.
-async fn start(app: App) {
+pub async fn start(app: App) {
     let (fit, opened) = (app.fit, opened(app));
     let press = fit.press();
     suitability::known(app).await;

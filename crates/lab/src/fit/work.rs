@@ -1,5 +1,6 @@
 //! Goes on with fits: gives the workers what they can do, and takes what they have found.
 
+use super::travel;
 use crate::app::{App, Lab};
 use view::views::*;
 use wasm_bindgen::JsCast;
@@ -21,9 +22,11 @@ pub fn go_on(app: App) {
 fn work(app: App) {
     let step = Closure::once_into_js(move || {
         let end = js_sys::Date::now() + SLICE;
+        let before = travel::values(app);
         let (more, here) = app.with(|lab| advance(lab, end)).unwrap_or_default();
         app.fit_progress.set(app.read_desk(|desk| desk.fits().progress()));
         app.publish(false, false);
+        travel::from(app, before);
         if more && here {
             return work(app);
         }

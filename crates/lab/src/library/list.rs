@@ -1,9 +1,10 @@
 //! Dialog of the library: cards of the documents with moving pictures, and a search.
 
 use crate::app::App;
+use crate::library::courses::{COURSES, Course, Level, place_of};
 use crate::library::pictures::Pictures;
 use crate::library::search::{Found, Search};
-use crate::library::{Entry, THEORIES, entries, find};
+use crate::library::{Entry, entries, find};
 use crate::write::kept;
 use crate::{documents::opening, library::own as library_own};
 use document::Card;
@@ -55,33 +56,59 @@ fn contents(app: App) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let own = kept::documents(language).into_iter().map(|own| (Entry { files: own.kept.files() }, Some(own)));
-    let all = own.chain(entries().into_iter().map(|entry| (entry, None)));
+    let mut carried = entries();
+    // In the order of the cards, which arrow keys follow: by course, then what stands in none.
+    units::order::sort_by_key(&mut carried, |entry| {
+        let place = place_of(entry.file()).map(|(course, place, _)| (course, place));
+        (entry.is_theory(), place.is_none(), place)
+    });
+    let all = own.chain(carried.into_iter().map(|entry| (entry, None)));
     let item = |(number, (entry, own)): (usize, (Entry, _))| Item { number, card: entry.card(language), entry, own };
     let items: Vec<Item> = all.enumerate().map(item).collect();
     let search = Search::over(items.iter().map(|item| (&item.entry, &item.card)));
     let pictures = Pictures::new(language);
     let (typing, scrolling) = (pictures.clone(), pictures.clone());
-    let (found, count) = (search.found(), items.len());
+    let found = search.found();
+    let theories: Vec<bool> = items.iter().map(|item| item.entry.is_theory()).collect();
+    let count = theories.iter().filter(|is_theory| !**is_theory).count();
     let tools = div()
         .class("library-tools")
         .when(events::keydown, move |event| from_search(&event, found))
         .when(events::input, move |_| typing.wait())
         .child(field(app, &search))
         .child(p().role("status").class("note").child(text(move || {
-            let shown = found.with(|found| found.iter().filter(|shown| **shown).count());
-            format!("{}: {shown} / {count}", words.library_found)
+            let shown = |theory: bool| {
+                let of_kind = |(shown, is_theory): &(&bool, &bool)| **shown && **is_theory == theory;
+                found.with(|found| found.iter().zip(&theories).filter(of_kind).count())
+            };
+            let and_theories = match shown(true) {
+                0 => String::new(),
+                some => format!(" · {}: {some}", words.library_and_theories),
+            };
+            format!("{}: {} / {count}{and_theories}", words.library_found, shown(false))
         })))
         .child(chips(app, &search));
     let (own, carried): (Vec<Item>, Vec<Item>) = items.into_iter().partition(|item| item.own.is_some());
-    let (theories, simulations): (Vec<Item>, Vec<Item>) =
-        carried.into_iter().partition(|item| item.entry.file().starts_with(THEORIES));
+    let (theories, simulations): (Vec<Item>, Vec<Item>) = carried.into_iter().partition(|item| item.entry.is_theory());
+    let mut by_course: Vec<Vec<Item>> = COURSES.iter().map(|_| Vec::new()).collect();
+    let mut others = Vec::new();
+    for item in simulations {
+        let course = place_of(item.entry.file()).and_then(|(course, ..)| by_course.get_mut(course));
+        course.unwrap_or(&mut others).push(item);
+    }
+    let tongue = app.language.get_untracked();
+    let course = |(course, items): (&Course, Vec<Item>)| {
+        let [title, text] = [&course.title, &course.note].map(|words| words.text(tongue).into_owned());
+        group(app, title, text, items, found, &pictures)
+    };
     let groups = div()
         .class("library-groups")
         .when(events::keydown, move |event| among_cards(&event, found))
         .when(events::scroll, move |_| scrolling.wait())
-        .child(group(app, words.library_own, own, found, &pictures))
-        .child(group(app, words.library_simulations, simulations, found, &pictures))
-        .child(group(app, words.library_theories, theories, found, &pictures))
+        .child(group(app, words.library_own.to_owned(), String::new(), own, found, &pictures))
+        .each(COURSES.iter().zip(by_course), course)
+        .child(group(app, words.library_simulations.to_owned(), String::new(), others, found, &pictures))
+        .child(group(app, words.library_theories.to_owned(), String::new(), theories, found, &pictures))
         .child(note(words.library_intro));
     View::from((tools, groups))
 }
@@ -114,9 +141,11 @@ fn chips(app: App, search: &Search) -> HtmlDiv {
     div().class("chips").role("group").attr("aria-label", app.words().library_topics).each(&search.topics, chip)
 }
 
+/// Cards below a title and what is `said` of them; hidden while none is found.
 fn group(
     app: App,
-    title: &'static str,
+    title: String,
+    said: String,
     items: Vec<Item>,
     found: ReadSignal<Found>,
     pictures: &Pictures,
@@ -125,7 +154,7 @@ fn group(
     let is_empty = move || found.with(|found| !numbers.iter().any(|number| is_found(found, *number)));
     section()
         .hidden(is_empty)
-        .child(h3().child(title))
+        .child(h3().child(title).child(span().class("note").child(said)))
         .child(ul().class("cards").each(items, |item| card(app, item, found, pictures)))
 }
 
@@ -138,7 +167,7 @@ fn card(app: App, item: Item, found: ReadSignal<Found>, pictures: &Pictures) -> 
     let (into, out) = ((pictures.clone(), pictures.clone()), (pictures.clone(), pictures.clone()));
     let lang = (card.language != app.language.get_untracked().tag()).then(|| card.language.clone());
     let (title, file, pictures) = (card.title.clone(), entry.file().to_owned(), pictures.clone());
-    let face = move |lead: View, below: View| face(&pictures, number, (&entry, &card), lead, below);
+    let face = move |lead: View, below: View| face(app, &pictures, number, (&entry, &card), lead, below);
     let content = match own {
         Some(own) => library_own::card(app, own, link_id(number), face, move |own| {
             leave_for(app, || opening::open_kept(app, own.kept.clone()));
@@ -155,17 +184,27 @@ fn card(app: App, item: Item, found: ReadSignal<Found>, pictures: &Pictures) -> 
 }
 
 /// Content of a card: picture, link (`lead`), summary, and further content below.
-fn face(pictures: &Pictures, number: usize, (entry, card): (&Entry, &Card), lead: View, below: View) -> View {
+fn face(app: App, pictures: &Pictures, number: usize, (entry, card): (&Entry, &Card), lead: View, below: View) -> View {
     let mut place = div().class("library-picture").attr("aria-hidden", "true");
     pictures.add(number, entry.files.clone(), &place.node::<Element>());
     let topics = (!card.topics.is_empty()).then(|| p().class("library-topics").child(card.topics.join(" · ")));
+    let level = place_of(entry.file()).map(|(_, _, level)| level_line(level, app));
     View::from((
         place,
         h4().child(lead),
         p().id(summary_id(number)).inner_html(card.summary.clone()),
         topics.map_or_else(View::new, View::from),
+        level.map_or_else(View::new, View::from),
         below,
     ))
+}
+
+/// Level as dots and a word.
+fn level_line(level: Level, app: App) -> HtmlP {
+    let reached = Level::ALL.iter().position(|other| *other == level).unwrap_or_default();
+    let dots: String = (0..Level::ALL.len()).map(|place| if place <= reached { '●' } else { '○' }).collect();
+    let name = level.words().text(app.language.get_untracked()).into_owned();
+    p().class("library-level").child(span().attr("aria-hidden", "true").child(dots)).child(name)
 }
 
 /// Link to a document of the page.

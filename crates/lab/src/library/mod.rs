@@ -1,10 +1,11 @@
 //! Library: documents contained in the page besides the one it opens with, namely other simulations and theories of a
 //! damped liquid column.
 //!
-//! `list.rs` shows the documents as cards, behind those that were written in this browser (`own.rs`), and `search.rs`
+//! `courses.rs` divides the simulations into courses. `list.rs` shows the documents as cards, behind those that were written in this browser (`own.rs`), and `search.rs`
 //! searches them. `pictures.rs` opens the documents whose cards are in sight, one in a frame, and lets a picture move while
 //! its card is attended to; only so many exist at once, and none once the library is closed.
 
+mod courses;
 pub mod list;
 mod own;
 mod pictures;
@@ -16,7 +17,7 @@ use play::Subject;
 use std::cell::{OnceCell, RefCell};
 
 /// Folder of the theories.
-pub const THEORIES: &str = "theories/";
+const THEORIES: &str = "theories/";
 
 /// A document with its translations.
 #[derive(Clone)]
@@ -29,6 +30,11 @@ impl Entry {
     /// File name of the document.
     pub fn file(&self) -> &str {
         self.files.first().map_or("", |file| &file.name)
+    }
+
+    /// True for a theory, which is no simulation of its own.
+    pub fn is_theory(&self) -> bool {
+        self.file().starts_with(THEORIES)
     }
 
     /// Card for lists, in a language: from the translation, completed by the document.
@@ -114,7 +120,7 @@ fn read_entries() -> Vec<Entry> {
 
 /// The theories.
 pub fn theories() -> Vec<Entry> {
-    entries().into_iter().filter(|entry| entry.file().starts_with(THEORIES)).collect()
+    entries().into_iter().filter(Entry::is_theory).collect()
 }
 
 /// Files that the page opens with: the document it was exported with, otherwise the first of the library.

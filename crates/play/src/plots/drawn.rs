@@ -38,16 +38,21 @@ impl Figures<'_> {
         let names = self.runs.get_or_init(|| shown().map(|kept| kept.name).collect());
         let kept = self.line.kept_traces().zip(names);
         let kept = kept.map(|((traces, pattern), name)| (traces, Style::Faded(pattern), name.as_str()));
+        let independent = self.is_against_independent(index);
+        let unit = &self.basis.model().independent.unit;
+        let until = self.plots.records_until.map(|time| unit.from_si(time));
         let points = state.points.iter().filter_map(|points| {
             let axis = columns.curves.get(points.curve)?.axis;
             let style = if points.unused { Style::Unused } else { Style::Points };
             let colour = points.colour;
             let (x, y, version) = (&points.x[..], &points.y[..], points.version);
             let (label, spread) = (points.label.as_str(), &points.errors[..]);
-            Some(Series { label, axis, colour, style, x, y, spread, version, ..Series::default() })
+            let whole = Series { label, axis, colour, style, x, y, spread, version, ..Series::default() };
+            Some(until.filter(|_| independent).map_or(whole, |until| begun(whole, until)))
         });
         let mut series: Vec<Series<'_>> = points.collect();
-        for (traces, style, run) in ghosts.chain(kept).chain([(self.line.traces(), Style::Line, "")]) {
+        let runs = ghosts.chain(kept).chain([(self.line.traces(), Style::Line, "")]);
+        for (traces, style, run) in runs.filter(|_| until.is_none()) {
             let present_run = style == Style::Line;
             for (number, &CurveColumns { x, y, axis }) in columns.curves.iter().enumerate() {
                 let present = self.line.present().get(x).copied().zip(self.line.present().get(y).copied());
@@ -67,8 +72,6 @@ impl Figures<'_> {
                 series.push(curve);
             }
         }
-        let independent = self.is_against_independent(index);
-        let unit = &self.basis.model().independent.unit;
         let first = Interval::new(0.0, unit.from_si(self.basis.first_part(self.line.course())));
         // Beside a record, a run is compared with it: the axes are those of the record.
         let along = |axis: usize| {
@@ -97,7 +100,7 @@ impl Figures<'_> {
             x: Axis { label: &labels.x.0, unit: &labels.x.1, include, only },
             y,
             series,
-            marker: if independent { self.line.present().get(columns.x).copied() } else { None },
+            marker: if independent { until.or_else(|| self.line.present().get(columns.x).copied()) } else { None },
             view: state.view.clone(),
             ordered: independent,
             steady: false,
@@ -262,4 +265,13 @@ impl Figures<'_> {
         let behind = usize::from(self.line.has_ghost()) + self.line.kept_traces().count();
         curves * behind
     }
+}
+
+/// Points of a series up to an abscissa, the last of which is the present moment.
+fn begun(whole: Series<'_>, until: f64) -> Series<'_> {
+    let count = whole.x.partition_point(|x| *x <= until);
+    let [x, y] = [whole.x, whole.y].map(|values| values.get(..count).unwrap_or(values));
+    let present = x.last().copied().zip(y.last().copied());
+    // The version stands for the whole series.
+    Series { x, y, present, version: 0, ..whole }
 }

@@ -37,6 +37,8 @@ const AT_FIRST: usize = 1;
 #[derive(Debug, Default)]
 pub struct Plots {
     states: Vec<PlotState>,
+    /// Time (SI) up to which records are drawn, without the runs; `None` for whole records with the runs.
+    records_until: Option<f64>,
 }
 
 /// The plots as they are shown: with the run, in the chosen language.
@@ -52,7 +54,7 @@ pub struct Figures<'a> {
 impl Plots {
     /// Plots of the document.
     pub(crate) fn new(program: &Program, columns: &Columns) -> Self {
-        Self { states: PlotState::of_document(program, columns) }
+        Self { states: PlotState::of_document(program, columns), records_until: None }
     }
 
     /// The plots as they are shown.
@@ -217,6 +219,12 @@ impl Plots {
         state.measured = points.iter().map(ends).collect();
         state.points = points;
         Changes::PLOTS
+    }
+
+    /// Draws records alone, in plots over time up to this time (SI), and marks their last points as the present moment. `None`
+    /// draws whole records with the runs.
+    pub fn draw_records_until(&mut self, time: Option<f64>) -> Changes {
+        Changes::PLOTS.only_if(std::mem::replace(&mut self.records_until, time) != time)
     }
 
     /// Updates the texts of all plots to the chosen language.

@@ -235,4 +235,26 @@ fn a_scene_is_a_scale_of_what_moves_up_and_down_in_it() {
     let figure = play.layout_plot(play::PlotId::at(0), &settings).expect("the plot");
     assert!((figure.y_scales()[0].pixel(0.0) - 200.0).abs() < 1e-9);
     assert!((f64::from(figure.level_point().expect("the present moment").y) - (200.0 - 40.0 * y)).abs() < 1e-3);
+
+    // Records drawn alone up to a time: the pen is at the last of their points, and no line is drawn.
+    let lines = |figure: &play::figure::Figure| {
+        figure.items().filter(|item| matches!(item, play::figure::Item::Polyline(..))).count()
+    };
+    assert!(play.change_run(|line, _| line.compute_on(2.0)) || play.course().front() >= 2.0);
+    play.change_plots(|plots, _| {
+        let points =
+            play::Points { x: vec![0.0, 1.0, 2.0], y: vec![0.1, -0.1, 0.05], version: 1, ..Default::default() };
+        plots.set_points(0, vec![points])
+    });
+    let whole = play.layout_plot(play::PlotId::at(0), &settings).map(lines);
+    assert!(whole > Some(0), "{whole:?}");
+    for (until, last) in [(1.5, Some(-0.1)), (2.0, Some(0.05)), (f64::NEG_INFINITY, None)] {
+        play.change_plots(|plots, _| plots.draw_records_until(Some(until)));
+        let figure = play.layout_plot(play::PlotId::at(0), &settings).expect("the plot");
+        let pen = figure.level_point().map(|point| (200.0 - f64::from(point.y)) / 40.0);
+        assert_eq!(pen.map(|pen| (100.0 * pen).round() / 100.0), last);
+        assert_eq!(lines(figure), 0);
+    }
+    play.change_plots(|plots, _| plots.draw_records_until(None));
+    assert_eq!(play.layout_plot(play::PlotId::at(0), &settings).map(lines), whole);
 }

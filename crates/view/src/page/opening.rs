@@ -71,6 +71,12 @@ impl Opening {
         Some(Handed { pressed: self.field("pressed").as_string().unwrap_or_default(), ..handed })
     }
 
+    /// Packed bytes of a part of the page.
+    pub fn bytes(&self, id: &str) -> Option<Promise> {
+        let bytes: Function = self.field("bytes").dyn_into().ok()?;
+        bytes.call1(&self.0, &id.into()).ok()?.dyn_into().ok()
+    }
+
     /// Text of a part of the player, as it stands in a page: its module, or the texts of a language.
     pub fn part(&self, id: &str) -> Option<Promise> {
         let part: Function = self.field("part").dyn_into().ok()?;

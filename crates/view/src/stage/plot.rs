@@ -59,6 +59,11 @@ impl PlotNodes {
         self.stale = true;
     }
 
+    /// Measures its place beside the scene again, and redraws.
+    pub fn measure_again(&mut self) {
+        (self.beside, self.stale) = (None, true);
+    }
+
     fn settings(&self, font_size: f64) -> Settings {
         let (width, height) = self.size;
         Settings { width, height, font_size, decimal_comma: self.decimal_comma, level: None }

@@ -64,6 +64,7 @@ pub fn view(app: App) -> View {
         .child(div().class("figures").each(&plots, |plot| paper(plot.id)))
         .child(p().id("plot-keys").hidden(true).child(words.plot_keys))
         .child(p().class("empty").hidden(move || (0..count).map(PlotId::at).any(shown)).child(words.no_plots))
+        .child(app.host().door())
         .into()
 }
 

@@ -9,7 +9,7 @@ mod record;
 mod tool;
 mod truth;
 
-use super::{camera, filming, opening, words};
+use super::{camera, filming, opening, sample, words};
 use crate::app::App;
 use film::tracking::lost_from;
 use view::pieces::icons;
@@ -37,7 +37,13 @@ pub fn way_in(app: App) -> View {
     let input = input.id("film-file").hidden(true).attr("aria-label", words.open).when(events::change, take);
     let warning = (!window().is_secure_context()).then(|| note(words.insecure).id("films-need-https"));
     let warning = warning.map_or_else(View::new, View::from);
-    View::from((open, input, camera::button(app), filming::button(app), warning))
+    let sample = view::views::button()
+        .class("quiet with-icon")
+        .id("open-sample")
+        .when(events::click, move |_| sample::open(app))
+        .child(icons::film())
+        .child(span().child(words.sample_film));
+    View::from((open, input, sample, camera::button(app), filming::button(app), warning))
 }
 
 /// The four steps; empty while no film is open.

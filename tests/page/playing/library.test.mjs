@@ -91,7 +91,7 @@ for (const [language, words] of [
 
 visit("a picture moves while the pointer is over its card or the focus in it", async (lab) => {
   await openLibrary(lab);
-  const [one, other] = ["Normal modes of a chain", "A bouncing ball"];
+  const [one, other] = ["The pendulum, small swings and large", "A liquid in a U-tube"];
   await picture(lab, one);
   await lab.page.locator("#library-search").hover();
   assert.equal(await moves(lab, one), false, "it stands still by itself");
@@ -154,9 +154,9 @@ visit("a card is a link, to another tab too", async (lab) => {
 
 visit("nothing moves for those who want less motion", { ...STILL }, async (lab) => {
   await openLibrary(lab);
-  await picture(lab, "Normal modes of a chain");
-  await card(lab, "Normal modes of a chain").hover();
-  assert.equal(await moves(lab, "Normal modes of a chain"), false);
+  await picture(lab, "The pendulum, small swings and large");
+  await card(lab, "The pendulum, small swings and large").hover();
+  assert.equal(await moves(lab, "The pendulum, small swings and large"), false);
 });
 
 const WORDS = {

@@ -26,6 +26,14 @@ pub fn mark_page(app: App) {
         let shown = app.films.open.get() && app.films.shown.get() && !told;
         if let Some(root) = document().document_element() {
             let _ = root.class_list().toggle_with_force("with-film", shown);
+            let _ = root.class_list().toggle_with_force("whole-film", shown && app.films.whole.get());
+        }
+    });
+    effect(move || {
+        let is_recorded = app.films.now.with(|now| now.as_ref().is_some_and(|now| now.record.is_some()));
+        // Not while a click is awaited: the film would move away under the pointer.
+        if is_recorded && app.films.tool.get() == Tool::Rest {
+            app.films.whole.set(false);
         }
     });
     browser::listen("resize", move |_: &web_sys::Event| app.films.resized.update(|count| *count += 1));
@@ -153,6 +161,7 @@ fn begin(app: App) {
     let kind = now.as_ref().and_then(|now| Kind::of(&now.subject));
     films.tool.set(if kind.is_some() { Tool::Rest } else { Tool::Subject });
     films.kind.set(kind.unwrap_or_default());
+    films.whole.set(now.as_ref().is_some_and(|now| now.record.is_none()));
     films.open.set(true);
     films.shown.set(true);
     frames::go(app, now.map_or(0, |now| now.ends[0]));

@@ -15,6 +15,8 @@ pub struct Films {
     pub open: Signal<bool>,
     /// True while the film is on the stage instead of the scene.
     pub shown: Signal<bool>,
+    /// True while the film has the whole stage: until it is a record and no click is awaited.
+    pub whole: Signal<bool>,
     /// Selected frame.
     pub frame: Signal<usize>,
     /// Painted frame. It follows the selected one with a delay.
@@ -77,6 +79,7 @@ impl Films {
         Self {
             open: create_signal(false),
             shown: create_signal(false),
+            whole: create_signal(false),
             frame: create_signal(0),
             painted: create_signal(None),
             opening: create_signal(None),

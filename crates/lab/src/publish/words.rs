@@ -8,6 +8,14 @@ table_of_words! {
     close: "Close";
     faulty: "The text has errors. They are listed in the tab Write; what is published here is ready as soon as they are corrected.";
 
+    // Parts.
+    part_hand_in: "Hand in";
+    part_hand_in_note: "Answers, records and fits for your teacher.";
+    part_send: "Send";
+    part_send_note: "This simulation as it is now, for somebody else or for yourself.";
+    part_publish: "Publish";
+    part_publish_note: "For teachers and authors: a page of its own, a place in a course, paper.";
+
     // Link and QR code.
     link: "Link";
     link_intro: "Opens this document with the present values in this laboratory.";

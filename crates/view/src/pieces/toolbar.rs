@@ -34,8 +34,9 @@ impl Toolbar {
         let bar = event.current_target().and_then(|bar| bar.dyn_into::<Element>().ok());
         let found = bar.and_then(|bar| bar.query_selector_all("button:not([hidden])").ok());
         let Some(found) = found else { return };
-        let buttons: Vec<HtmlElement> =
-            (0..found.length()).filter_map(|index| found.get(index)?.dyn_into().ok()).collect();
+        let buttons = (0..found.length()).filter_map(|index| found.get(index)?.dyn_into().ok());
+        // Without those that the style sheet leaves out.
+        let buttons: Vec<HtmlElement> = buttons.filter(|button: &HtmlElement| button.offset_width() > 0).collect();
         let focused = document().active_element();
         let at = buttons.iter().position(|button| focused.as_ref() == Some(button.as_ref()));
         let Some(at) = at else { return };

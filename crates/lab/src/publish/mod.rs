@@ -48,7 +48,8 @@ pub fn dialog(app: App) -> HtmlDialog {
 fn contents(app: App) -> View {
     let words = words::of(app);
     let page = page::Page::prepare(app);
-    let hand_in = section_of(app.page.words().hand_in, hand_in::view(app));
+    // The title of the part is that of its section.
+    let hand_in = section().attr("aria-label", words.part_hand_in).child(hand_in::view(app));
     // A link to a page of this computer alone leads nobody else anywhere: the files come first there.
     let mut send = [section_of(words.link, link::view(app)), section_of(words.files, files::view(app))];
     if links::is_local(&browser::address("")) {

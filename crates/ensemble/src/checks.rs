@@ -2,7 +2,7 @@
 //! between the ends, no event is due at the end, and all switches are the same there. Where one fails the engine looks itself.
 
 use crate::body::Body;
-use crate::grid::{Block, Grid, WIDTH, one};
+use crate::grid::{Block, Grid, Mask, WIDTH, one};
 use crate::steps::Steps;
 use crate::width::{Lanewise, Width};
 use engine::{CHECKS, certain_sign_changes, cubic_value, sign_changes};
@@ -187,11 +187,9 @@ impl Checks {
         for row in 0..own.armed.rows() {
             let truths = own.conditions.grid().row(own.conditions.roots()[row] as usize);
             for (block, armed) in own.armed.row_mut(row).iter_mut().enumerate() {
-                let (truth, before) = (truths[block], *armed);
-                *armed = Block::each(|lane| {
-                    let now = f64::from(u8::from(truth.0[lane] == 0.0));
-                    if passed[block].0[lane] != 0.0 { now } else { before.0[lane] }
-                });
+                let truth = truths[block];
+                let now = Block::each(|lane| f64::from(u8::from(truth.0[lane] == 0.0)));
+                *armed = passed[block].choose(now, *armed);
             }
         }
         take_over(&mut own.low, &own.slopes, &passed);
@@ -290,12 +288,12 @@ impl Checks {
     }
 }
 
-/// 1 for the lanes that are ready and have not failed.
+/// The lanes that are ready and have not failed.
 #[inline(always)]
-pub fn passed(ready: &[Block], failed: &[Block]) -> Vec<Block> {
+pub fn passed(ready: &[Block], failed: &[Block]) -> Vec<Mask> {
     let passed = |(ready, failed): (&Block, &Block)| {
         let (ready, failed) = (*ready, *failed);
-        Block::each(|lane| if ready.0[lane] != 0.0 && failed.0[lane] == 0.0 { 1.0 } else { 0.0 })
+        Mask::each(|lane| ready.0[lane] != 0.0 && failed.0[lane] == 0.0)
     };
     ready.iter().zip(failed).map(passed).collect()
 }
@@ -331,12 +329,11 @@ fn interpolate(interval: &Interval, (leaving, motion): (&Grid, &Body), times: &[
 
 /// Replaces known values by those of formulas in the lanes that have passed.
 #[inline(always)]
-fn take_over(known: &mut Grid, body: &Body, passed: &[Block]) {
+fn take_over(known: &mut Grid, body: &Body, passed: &[Mask]) {
     for row in 0..known.rows() {
         let found = body.grid().row(body.roots()[row] as usize);
         for ((known, found), passed) in known.row_mut(row).iter_mut().zip(found).zip(passed) {
-            let (before, found) = (*known, *found);
-            *known = Block::each(|lane| if passed.0[lane] != 0.0 { found.0[lane] } else { before.0[lane] });
+            *known = passed.choose(*found, *known);
         }
     }
 }
@@ -354,7 +351,7 @@ fn copy_values(body: &Body, out: &mut Grid) {
 fn mark(failed: &mut [Block], a: &[Block], b: &[Block], differs: impl Fn(f64, f64) -> bool) {
     for ((failed, a), b) in failed.iter_mut().zip(a).zip(b) {
         let (before, a, b) = (*failed, *a, *b);
-        *failed = Block::each(|lane| if differs(a.0[lane], b.0[lane]) { 1.0 } else { before.0[lane] });
+        *failed = Block::each(|lane| f64::from(u8::from(differs(a.0[lane], b.0[lane]) | (before.0[lane] != 0.0))));
     }
 }
 

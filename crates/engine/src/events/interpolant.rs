@@ -61,3 +61,41 @@ pub fn sign_changes(low: f64, high: f64, leaving: f64, arriving: f64, first: f64
     let finite = low.is_finite() && high.is_finite() && wrong.is_finite();
     if finite && is_right(cubic, wrong) { cubic.sign_changes() as f64 } else { f64::NAN }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use units::split_mix::SplitMix64;
+
+    /// Intervals of a smooth function, with errors of the interpolant and values near 0 of all magnitudes.
+    #[test]
+    fn changes_of_sign_that_are_certain_are_those_found() {
+        let mut random = SplitMix64::new(1);
+        let mut number = || (random.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0;
+        let mut counts = [0; 3];
+        for _ in 0..200_000 {
+            let mut scaled = |scales: [f64; 4]| number() * scales[(2.0 * (number() + 1.0)) as usize];
+            let ends = [(); 2].map(|()| scaled([1.0, 1.0, 1.0, 1e-10]));
+            let slopes = [(); 2].map(|()| scaled([0.1, 0.4, 1.0, 10.0]));
+            let cubic = Cubic::new(ends, slopes);
+            let wrong = EXACTNESS * number();
+            let [first, second] = CHECKS.map(|part| cubic.at(part) + wrong);
+            let certain = certain_sign_changes(ends[0], ends[1], slopes[0], slopes[1], first, second);
+            if certain.is_nan() {
+                counts[2] += 1;
+            } else {
+                counts[certain as usize] += 1;
+                assert_eq!(certain, sign_changes(ends[0], ends[1], slopes[0], slopes[1], first, second));
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 10_000), "{counts:?}");
+        for undefined in [f64::NAN, f64::INFINITY] {
+            for place in 0..6 {
+                let mut values = [1.0, 1.0, 0.0, 0.0, 1.0, 1.0];
+                values[place] = undefined;
+                let [low, high, leaving, arriving, first, second] = values;
+                assert!(certain_sign_changes(low, high, leaving, arriving, first, second).is_nan(), "{values:?}");
+            }
+        }
+    }
+}

@@ -95,8 +95,8 @@ impl<'a> Alone<'a> {
         Stepper::new(&self.model, &setup).err()
     }
 
-    /// Continues a run from a moment, or from its beginning if `reached` is `None`, to its next row. `begun`: its parameters and
-    /// initial values, SI units. Returns the stepper there; `None` if an event has ended the run.
+    /// Continues a run from a moment, or from its beginning if `reached` is `None`, by this number of rows. `begun`: its parameters
+    /// and initial values, SI units. Returns the stepper there; `None` if an event has ended the run.
     ///
     /// # Errors
     /// The error of the run.
@@ -104,18 +104,21 @@ impl<'a> Alone<'a> {
         &mut self,
         begun: [&[f64]; 2],
         reached: Option<&Reached>,
+        rows: u64,
         mut taking: Taking,
     ) -> Result<Option<&Stepper>, RunError> {
         let Made { stepper, readings, values } = self.at(begun, reached)?;
-        let mut rows = Rows { readings, values, taking: &mut taking };
-        loop {
-            match stepper.advance_within(u64::MAX, &mut rows) {
+        let mut record = Rows { readings, values, taking: &mut taking };
+        let mut made = 0;
+        while made < rows {
+            match stepper.advance_within(u64::MAX, &mut record) {
                 Ok(Progress::Partial) => {}
-                Ok(Progress::Row { .. }) => return Ok(Some(stepper)),
+                Ok(Progress::Row { .. }) => made += 1,
                 Err(error) if error.is_end() => return Ok(None),
                 Err(error) => return Err(error),
             }
         }
+        Ok(Some(stepper))
     }
 
     /// Lets events act up to `end` (SI units) in a run that has reached its last row before.

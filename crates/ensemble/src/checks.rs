@@ -2,10 +2,10 @@
 //! between the ends, no event is due at the end, and all switches are the same there. Where one fails the engine looks itself.
 
 use crate::body::Body;
-use crate::grid::{Block, Grid, WIDTH, one};
+use crate::grid::{Block, Grid, Mask, WIDTH, one};
 use crate::steps::Steps;
 use crate::width::{Lanewise, Width};
-use engine::{CHECKS, sign_changes};
+use engine::{CHECKS, certain_sign_changes, cubic_value, sign_changes};
 
 /// Formulas of the checks.
 #[derive(Clone, Debug)]
@@ -15,12 +15,16 @@ pub struct Checks {
     timed: Body,
     compared: Body,
     slopes: Body,
+    /// Rates of the states, for a method without continuous solution.
+    motion: Body,
     /// 1 for each event that can fire, one row for each.
     armed: Grid,
     /// Held values of the switches.
     held: Grid,
     /// Compared values, then their rates of change, at the start of the interval.
     low: Grid,
+    /// Rates of the states there.
+    leaving: Grid,
     /// Compared values at the moments of [`CHECKS`].
     between: [Grid; 2],
     /// States at these moments.
@@ -29,6 +33,8 @@ pub struct Checks {
     times: Grid,
     /// The parameters, then the held values.
     inputs: Grid,
+    /// True for the lanes whose held values, compared values and rates at the start are not up to date.
+    stale: Vec<bool>,
 }
 
 /// An interval of each lane: rows of one block each.
@@ -47,17 +53,34 @@ pub struct Interval<'a> {
 }
 
 impl Checks {
-    /// Conditions of events, true values of switches, timed switches, compared values, and these with their rates of change.
-    pub fn new([conditions, switches, timed, compared, slopes]: [Body; 5]) -> Self {
-        let grid = Grid::default;
-        let (between, times) = ([grid(), grid()], grid());
-        let [armed, held, low, probe, inputs] = [grid(), grid(), grid(), grid(), grid()];
-        Self { conditions, switches, timed, compared, slopes, armed, held, low, between, probe, times, inputs }
+    /// Conditions of events, true values of switches, timed switches, compared values, and these with their rates of change; `motion`:
+    /// rates of the states, none for a method with a continuous solution.
+    pub fn new([conditions, switches, timed, compared, slopes]: [Body; 5], motion: Body) -> Self {
+        let [armed, held, low, leaving, first, second, probe, times, inputs] = std::array::from_fn(|_| Grid::default());
+        let (between, stale) = ([first, second], Vec::new());
+        Self {
+            conditions,
+            switches,
+            timed,
+            compared,
+            slopes,
+            motion,
+            armed,
+            held,
+            low,
+            leaving,
+            between,
+            probe,
+            times,
+            inputs,
+            stale,
+        }
     }
 
     /// The formulas.
-    pub fn bodies(&mut self) -> [&mut Body; 5] {
-        [&mut self.conditions, &mut self.switches, &mut self.timed, &mut self.compared, &mut self.slopes]
+    fn bodies(&mut self) -> [&mut Body; 6] {
+        let Self { conditions, switches, timed, compared, slopes, motion, .. } = self;
+        [conditions, switches, timed, compared, slopes, motion]
     }
 
     /// Makes room for so many states, parameters and blocks of lanes.
@@ -70,6 +93,8 @@ impl Checks {
         self.probe = Grid::new(states, blocks);
         self.times = Grid::new(self.timed.len() + 1, blocks);
         self.inputs = Grid::new(parameters + self.switches.len(), blocks);
+        self.leaving = Grid::new(self.motion.len(), blocks);
+        self.stale = vec![false; blocks * WIDTH];
     }
 
     /// Takes over the parameters and initial values of all lanes, whose runs begin; sets the inputs of the equations.
@@ -88,8 +113,8 @@ impl Checks {
         self.prepare(rates, parameters.rows(), initial);
         evaluate(&mut self.conditions, &start, 0, initial);
         self.pass();
-        evaluate(&mut self.slopes, &start, 0, initial);
-        copy_values(&self.slopes, &mut self.low);
+        self.stale.fill(true);
+        self.evaluate_stale(&start, initial);
     }
 
     /// Sets the held values in all that depends on them.
@@ -97,30 +122,38 @@ impl Checks {
         for row in 0..self.held.rows() {
             self.inputs.row_mut(parameters + row).copy_from_slice(self.held.row(row));
         }
-        for body in [rates, &mut self.compared, &mut self.slopes] {
+        for body in [rates, &mut self.compared, &mut self.slopes, &mut self.motion] {
             body.prepare(&self.inputs, initial);
         }
     }
 
-    /// Continues a lane in which events or switches may have acted. `time` and `state` reached; `initial`: initial values of all
-    /// lanes.
-    pub fn load(
-        &mut self,
-        lane: usize,
-        rates: &mut Body,
-        (armed, held): (&[bool], &[f64]),
-        (time, present): (&Grid, &Grid),
-        initial: &Grid,
-    ) {
+    /// Continues a lane in which events or switches may have acted, after [`Checks::refresh`].
+    pub fn load(&mut self, lane: usize, armed: &[bool], held: &[f64]) {
         for (row, &armed) in armed.iter().enumerate() {
             self.armed.set(row, lane, f64::from(u8::from(armed)));
         }
         self.held.set_lane(lane, held);
-        self.prepare(rates, self.inputs.rows() - self.held.rows(), initial);
-        evaluate(&mut self.slopes, time, 0, present);
-        for row in 0..self.low.rows() {
-            self.low.set(row, lane, self.slopes.value(row, lane));
+        self.stale[lane] = true;
+    }
+
+    /// Brings all lanes of [`Checks::load`] up to date at once. `time` and `present` state reached; `initial`: initial values; both of
+    /// all lanes.
+    pub fn refresh(&mut self, rates: &mut Body, (time, present): (&Grid, &Grid), initial: &Grid) {
+        if self.stale.contains(&true) {
+            self.prepare(rates, self.inputs.rows() - self.held.rows(), initial);
+            self.evaluate_stale(time, present);
         }
+    }
+
+    /// Computes what is known at the start of the intervals of stale lanes.
+    fn evaluate_stale(&mut self, time: &Grid, present: &Grid) {
+        for (body, known) in [(&mut self.slopes, &mut self.low), (&mut self.motion, &mut self.leaving)] {
+            evaluate(body, time, 0, present);
+            for (lane, _) in self.stale.iter().enumerate().filter(|(_, stale)| **stale) {
+                (0..known.rows()).for_each(|row| known.set(row, lane, body.value(row, lane)));
+            }
+        }
+        self.stale.fill(false);
     }
 
     /// True for each event of a lane that can fire.
@@ -129,13 +162,15 @@ impl Checks {
     }
 
     /// Checks the intervals. Sets `failed` to 1 where something could happen; all other lanes have passed.
-    pub fn check(&mut self, width: Width, steps: &Steps, interval: &Interval, failed: &mut [Block]) {
+    /// `steps` made by a method with a continuous solution.
+    pub fn check(&mut self, width: Width, steps: Option<&Steps>, interval: &Interval, failed: &mut [Block]) {
         width.call::<Check>((self, width, steps, interval, failed));
     }
 
     #[inline(always)]
-    fn check_in((own, width, steps, interval, failed): (&mut Self, Width, &Steps, &Interval, &mut [Block])) {
+    fn check_in((own, width, steps, interval, failed): (&mut Self, Width, Option<&Steps>, &Interval, &mut [Block])) {
         failed.fill(Block::of(0.0));
+        evaluate(&mut own.motion, interval.to, 0, interval.next);
         own.check_timed(interval, failed);
         own.search(width, steps, interval, failed);
         evaluate(&mut own.conditions, interval.to, 0, interval.next);
@@ -152,20 +187,13 @@ impl Checks {
         for row in 0..own.armed.rows() {
             let truths = own.conditions.grid().row(own.conditions.roots()[row] as usize);
             for (block, armed) in own.armed.row_mut(row).iter_mut().enumerate() {
-                let (truth, before) = (truths[block], *armed);
-                *armed = Block::each(|lane| {
-                    let now = f64::from(u8::from(truth.0[lane] == 0.0));
-                    if passed[block].0[lane] != 0.0 { now } else { before.0[lane] }
-                });
+                let truth = truths[block];
+                let now = Block::each(|lane| f64::from(u8::from(truth.0[lane] == 0.0)));
+                *armed = passed[block].choose(now, *armed);
             }
         }
-        for row in 0..own.low.rows() {
-            let high = own.slopes.grid().row(own.slopes.roots()[row] as usize);
-            for (block, low) in own.low.row_mut(row).iter_mut().enumerate() {
-                let (high, before) = (high[block], *low);
-                *low = Block::each(|lane| if passed[block].0[lane] != 0.0 { high.0[lane] } else { before.0[lane] });
-            }
-        }
+        take_over(&mut own.low, &own.slopes, &passed);
+        take_over(&mut own.leaving, &own.motion, &passed);
     }
 
     /// Arms the events whose conditions are false.
@@ -192,7 +220,7 @@ impl Checks {
 
     /// Marks lanes in which compared values change their signs more than once, or must be searched in parts of the interval.
     #[inline(always)]
-    fn search(&mut self, width: Width, steps: &Steps, interval: &Interval, failed: &mut [Block]) {
+    fn search(&mut self, width: Width, steps: Option<&Steps>, interval: &Interval, failed: &mut [Block]) {
         if self.slopes.is_empty() {
             return;
         }
@@ -203,37 +231,69 @@ impl Checks {
                 let times = Block::each(|lane| from.0[lane] + part * (to.0[lane] - from.0[lane]));
                 self.times.row_mut(moment)[block] = times;
             }
-            steps.continuous_at(width, self.times.row(moment), &mut self.probe);
+            match steps {
+                Some(steps) => steps.continuous_at(width, self.times.row(moment), &mut self.probe),
+                None => interpolate(interval, (&self.leaving, &self.motion), self.times.row(moment), &mut self.probe),
+            }
             evaluate(&mut self.compared, &self.times, moment, &self.probe);
             copy_values(&self.compared, between);
         }
         evaluate(&mut self.slopes, interval.to, 0, interval.next);
-        let count = self.compared.len();
         for (block, failed) in failed.iter_mut().enumerate() {
+            let (from, to) = (interval.from.row(0)[block], interval.to.row(0)[block]);
+            let size = Block::each(|lane| to.0[lane] - from.0[lane]);
+            let mut certain = Block::of(0.0);
+            for number in 0..self.compared.len() {
+                let ([low, leaving, high, arriving, first, second], sum) = (self.course(number, block), certain);
+                certain = Block::each(|lane| {
+                    let [leaving, arriving] = [size.0[lane] * leaving.0[lane], size.0[lane] * arriving.0[lane]];
+                    let [low, high] = [low.0[lane], high.0[lane]];
+                    sum.0[lane] + certain_sign_changes(low, high, leaving, arriving, first.0[lane], second.0[lane])
+                });
+            }
             for lane in 0..WIDTH {
-                let place = block * WIDTH + lane;
-                let size = interval.to.get(0, place) - interval.from.get(0, place);
-                let mut changes = 0.0;
-                for number in 0..count {
-                    let [low, leaving] = [number, count + number].map(|row| self.low.get(row, place));
-                    let [high, arriving] = [number, count + number].map(|row| self.slopes.value(row, place));
-                    let [first, second] = self.between.each_ref().map(|grid| grid.get(number, place));
-                    changes += sign_changes(low, high, size * leaving, size * arriving, first, second);
+                // Between two changes of sign there would be a moment to look at; the comparisons also cover NaN.
+                let quiet = |changes: f64| changes <= 1.0;
+                let due = interval.ready[block].0[lane] != 0.0 && failed.0[lane] == 0.0 && !quiet(certain.0[lane]);
+                if due && !quiet(self.sign_changes(block, lane, size.0[lane])) {
+                    failed.0[lane] = 1.0;
                 }
-                // Between two changes of sign there would be a moment to look at; the comparison also covers NaN.
-                let quiet = changes <= 1.0;
-                failed.0[lane] = if quiet { failed.0[lane] } else { 1.0 };
             }
         }
     }
+
+    /// A compared value in the lanes of a block: value and rate of change at the start, the same at the end, values at [`CHECKS`].
+    #[inline(always)]
+    fn course(&self, number: usize, block: usize) -> [Block; 6] {
+        let rate = self.compared.len() + number;
+        let arriving = |row: usize| self.slopes.grid().row(self.slopes.roots()[row] as usize)[block];
+        let [first, second] = &self.between;
+        [
+            self.low.row(number)[block],
+            self.low.row(rate)[block],
+            arriving(number),
+            arriving(rate),
+            first.row(number)[block],
+            second.row(number)[block],
+        ]
+    }
+
+    /// Number of changes of sign of all compared values in an interval of a lane; NaN if the interval must be divided.
+    fn sign_changes(&self, block: usize, lane: usize, size: f64) -> f64 {
+        let changes = |number: usize| {
+            let [low, leaving, high, arriving, first, second] = self.course(number, block).map(|block| block.0[lane]);
+            sign_changes(low, high, size * leaving, size * arriving, first, second)
+        };
+        (0..self.compared.len()).map(changes).sum()
+    }
 }
 
-/// 1 for the lanes that are ready and have not failed.
+/// The lanes that are ready and have not failed.
 #[inline(always)]
-pub fn passed(ready: &[Block], failed: &[Block]) -> Vec<Block> {
+pub fn passed(ready: &[Block], failed: &[Block]) -> Vec<Mask> {
     let passed = |(ready, failed): (&Block, &Block)| {
         let (ready, failed) = (*ready, *failed);
-        Block::each(|lane| if ready.0[lane] != 0.0 && failed.0[lane] == 0.0 { 1.0 } else { 0.0 })
+        Mask::each(|lane| ready.0[lane] != 0.0 && failed.0[lane] == 0.0)
     };
     ready.iter().zip(failed).map(passed).collect()
 }
@@ -245,6 +305,36 @@ fn evaluate(body: &mut Body, times: &Grid, row: usize, states: &Grid) {
         body.set_time(times, row);
         body.set_states(states);
         body.evaluate();
+    }
+}
+
+/// States at a time of each lane, a row of `times`, by the interpolant of the states and rates at both ends of the intervals.
+#[inline(always)]
+fn interpolate(interval: &Interval, (leaving, motion): (&Grid, &Body), times: &[Block], out: &mut Grid) {
+    for state in 0..out.rows() {
+        let arriving = motion.grid().row(motion.roots()[state] as usize);
+        for (block, out) in out.row_mut(state).iter_mut().enumerate() {
+            let (from, to, time) = (interval.from.row(0)[block], interval.to.row(0)[block], times[block]);
+            let (present, next) = (interval.present.row(state)[block], interval.next.row(state)[block]);
+            let (leaving, arriving) = (leaving.row(state)[block], arriving[block]);
+            *out = Block::each(|lane| {
+                let size = to.0[lane] - from.0[lane];
+                let slopes = [size * leaving.0[lane], size * arriving.0[lane]];
+                let part = (time.0[lane] - from.0[lane]) / size;
+                cubic_value([present.0[lane], next.0[lane]], slopes, part)
+            });
+        }
+    }
+}
+
+/// Replaces known values by those of formulas in the lanes that have passed.
+#[inline(always)]
+fn take_over(known: &mut Grid, body: &Body, passed: &[Mask]) {
+    for row in 0..known.rows() {
+        let found = body.grid().row(body.roots()[row] as usize);
+        for ((known, found), passed) in known.row_mut(row).iter_mut().zip(found).zip(passed) {
+            *known = passed.choose(*found, *known);
+        }
     }
 }
 
@@ -261,7 +351,7 @@ fn copy_values(body: &Body, out: &mut Grid) {
 fn mark(failed: &mut [Block], a: &[Block], b: &[Block], differs: impl Fn(f64, f64) -> bool) {
     for ((failed, a), b) in failed.iter_mut().zip(a).zip(b) {
         let (before, a, b) = (*failed, *a, *b);
-        *failed = Block::each(|lane| if differs(a.0[lane], b.0[lane]) { 1.0 } else { before.0[lane] });
+        *failed = Block::each(|lane| f64::from(u8::from(differs(a.0[lane], b.0[lane]) | (before.0[lane] != 0.0))));
     }
 }
 
@@ -269,7 +359,7 @@ fn mark(failed: &mut [Block], a: &[Block], b: &[Block], differs: impl Fn(f64, f6
 struct Check;
 
 impl Lanewise for Check {
-    type Arguments<'a> = (&'a mut Checks, Width, &'a Steps, &'a Interval<'a>, &'a mut [Block]);
+    type Arguments<'a> = (&'a mut Checks, Width, Option<&'a Steps>, &'a Interval<'a>, &'a mut [Block]);
 
     #[inline(always)]
     fn call(arguments: Self::Arguments<'_>) {

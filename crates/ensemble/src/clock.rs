@@ -1,6 +1,6 @@
 //! Times and step control of lanes, as in the engine: a proportional-integral controller.
 
-use crate::grid::Block;
+use crate::grid::{Block, Mask};
 use engine::{LastStep, StepControl, dormand_prince_growth, dormand_prince_shrinkage};
 
 /// Times and step control of the lanes in a block.
@@ -24,8 +24,8 @@ pub struct Clock {
     pub growth: Block,
     /// 1 after an attempt that was not accepted.
     pub rejected: Block,
-    /// 1 if the last attempt is accepted.
-    pub accepted: Block,
+    /// Lanes in which the last attempt is accepted.
+    pub accepted: Mask,
 }
 
 impl Clock {
@@ -42,7 +42,7 @@ impl Clock {
             found: zero,
             growth: zero,
             rejected: zero,
-            accepted: zero,
+            accepted: Mask::NONE,
         }
     }
 
@@ -67,7 +67,7 @@ impl Clock {
         });
         for (lane, (&active, stalled)) in active.iter().zip(stalled).enumerate() {
             let accepted = active && found.0[lane] <= 1.0;
-            self.accepted.0[lane] = f64::from(u8::from(accepted));
+            self.accepted.set(lane, accepted);
             if active && !accepted {
                 *stalled |= !self.shorten(lane);
             }
@@ -93,12 +93,11 @@ impl Clock {
     #[inline(always)]
     pub fn accept(&mut self) {
         let Self { start, size, end, proposed, error, attempt, found, growth, rejected, accepted } = *self;
-        let taken = |lane: usize, new: f64, old: Block| if accepted.0[lane] != 0.0 { new } else { old.0[lane] };
-        self.start = Block::each(|lane| taken(lane, end.0[lane], start));
-        self.size = Block::each(|lane| taken(lane, attempt.0[lane], size));
-        self.end = Block::each(|lane| taken(lane, end.0[lane] + attempt.0[lane], end));
-        self.proposed = Block::each(|lane| taken(lane, attempt.0[lane] * growth.0[lane], proposed));
-        self.error = Block::each(|lane| taken(lane, found.0[lane].max(1e-4), error));
-        self.rejected = Block::each(|lane| taken(lane, 0.0, rejected));
+        self.start = accepted.choose(end, start);
+        self.size = accepted.choose(attempt, size);
+        self.end = accepted.choose(Block::each(|lane| end.0[lane] + attempt.0[lane]), end);
+        self.proposed = accepted.choose(Block::each(|lane| attempt.0[lane] * growth.0[lane]), proposed);
+        self.error = accepted.choose(Block::each(|lane| found.0[lane].max(1e-4)), error);
+        self.rejected = accepted.choose(Block::of(0.0), rejected);
     }
 }

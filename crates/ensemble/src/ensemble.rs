@@ -25,6 +25,8 @@ pub(crate) const NUMBERS: usize = 1 << 16;
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     pub(crate) method: Method,
+    /// Checks of events and switches; `None` if the model has none.
+    pub(crate) checks: Option<Box<Checks>>,
     pub(crate) rates: Body,
     pub(crate) readings: Body,
     initial: Body,
@@ -43,7 +45,7 @@ pub struct Ensemble {
 #[derive(Clone, Debug)]
 pub(crate) enum Method {
     Fixed(Fixed),
-    Adaptive(Box<Steps>, Option<Box<Checks>>),
+    Adaptive(Box<Steps>),
 }
 
 /// The times of the rows.
@@ -106,25 +108,24 @@ impl Ensemble {
         let drawn = model.with_drawings(&setup.drawings);
         let model = drawn.as_ref().unwrap_or(model);
         let stepper = Stepper::new(model, setup).map_err(NoLanes::Refused)?;
-        let listing = stepper.listing().map_err(NoLanes::Interpreted)?;
+        let mut listing = stepper.listing().map_err(NoLanes::Interpreted)?;
         let system = NoLanes::Interpreted(Interpreted::LinearSystem);
         let (preparation, preparations) = stepper.preparations().ok_or(system.clone())?;
         let states = model.states.len();
+        let window = listing.window.take().unwrap_or_else(|| stepper.window(&mut listing.interpolations));
         let interpolations: Arc<[_]> = listing.interpolations.clone().into();
-        let Listing { lines, states: registers, rates, .. } = listing.clone();
-        let rates = Body::new((lines, preparation), (registers, rates), interpolations.clone());
-        let method = match (stepper.step_control(), &listing.window) {
-            (Some(control), Some(window)) => {
-                let checks = checks(&stepper, window, preparations, states, &interpolations)?;
-                Method::Adaptive(Box::new(Steps::new(control)), checks.map(Box::new))
-            }
-            _ if !stepper.is_smooth() => return Err(NoLanes::EventsBetweenFixedSteps),
-            _ => Method::Fixed(Fixed::new(listing.method, listing.pairs.clone(), &rates)),
+        let checks = checks(&stepper, &window, preparations, states, &interpolations)?;
+        let Listing { lines, states: registers, rates, .. } = listing;
+        let rates = Body::new((lines, preparation), (registers, rates), interpolations);
+        let method = match stepper.step_control() {
+            Some(control) => Method::Adaptive(Box::new(Steps::new(control))),
+            None => Method::Fixed(Fixed::new(listing.method, listing.pairs, &rates)),
         };
         let initial: Vec<NodeId> = model.states.iter().map(|state| state.initial).collect();
         let routine = |nodes: &[NodeId]| Body::of_routine(&Routine::compile(model, nodes), states);
         let ensemble = Self {
             method,
+            checks: checks.map(Box::new),
             rates,
             readings: routine(readings).ok_or(system.clone())?,
             initial: routine(&initial).ok_or(system)?,
@@ -239,12 +240,10 @@ impl Ensemble {
         }
         match &mut self.method {
             Method::Fixed(fixed) => fixed.resize(blocks),
-            Method::Adaptive(steps, checks) => {
-                steps.resize(states, blocks);
-                if let Some(checks) = checks {
-                    checks.resize(states, parameters, (blocks, width));
-                }
-            }
+            Method::Adaptive(steps) => steps.resize(states, blocks),
+        }
+        if let Some(checks) = &mut self.checks {
+            checks.resize(states, parameters, (blocks, width));
         }
         self.lanes = Lanes::new(parameters, states, blocks, self.readings.len());
     }
@@ -320,7 +319,11 @@ fn checks(
         Body::of_formulas(formulas.clone(), preparation, states, interpolations.clone())
     });
     let bodies: Vec<Body> = bodies.collect();
-    Ok(bodies.try_into().ok().map(Checks::new))
+    let motion = match stepper.motion() {
+        Some(routine) => Body::of_routine(routine, states).ok_or(NoLanes::Interpreted(Interpreted::LinearSystem))?,
+        None => Body::default(),
+    };
+    Ok(bodies.try_into().ok().map(|bodies| Checks::new(bodies, motion)))
 }
 
 #[cfg(test)]

@@ -105,6 +105,15 @@ impl Fixed {
         }
     }
 
+    /// Continues a lane with these states, SI units.
+    pub fn load(&mut self, rates: &mut Body, lane: usize, states: &[f64]) {
+        self.states.set_lane(lane, states);
+        for (number, state) in states.iter().enumerate() {
+            let register = rates.states()[number] as usize;
+            rates.grid_mut().set(register, lane, *state);
+        }
+    }
+
     /// True for a lane in which a state is not finite; it is then not finite after any further steps either.
     pub fn is_wrong(&self, lane: usize) -> bool {
         (0..self.states.rows()).any(|state| !self.states.get(state, lane).is_finite())

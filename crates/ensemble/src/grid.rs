@@ -23,6 +23,46 @@ impl Block {
     }
 }
 
+/// Choice of lanes of a block: all bits of a lane are 1 or 0.
+///
+/// A comparison in place of the bits would be compiled to stores of single lanes, which take many times as long on some processors.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct Mask([u64; WIDTH]);
+
+impl Mask {
+    /// No lane.
+    pub const NONE: Self = Self([0; WIDTH]);
+
+    /// The lanes in which `holds` is true.
+    #[inline(always)]
+    pub fn each(holds: impl Fn(usize) -> bool) -> Self {
+        let bits = |lane: usize| u64::from(holds(lane)).wrapping_neg();
+        Self([bits(0), bits(1), bits(2), bits(3), bits(4), bits(5), bits(6), bits(7)])
+    }
+
+    /// True if a lane is chosen.
+    #[inline(always)]
+    pub fn has(&self, lane: usize) -> bool {
+        self.0[lane] != 0
+    }
+
+    /// Chooses a lane, or does not.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, chosen: bool) {
+        self.0[lane] = u64::from(chosen).wrapping_neg();
+    }
+
+    /// The number of each lane from `chosen` if the lane is chosen, otherwise from `other`.
+    #[inline(always)]
+    pub fn choose(self, chosen: Block, other: Block) -> Block {
+        Block::each(|lane| {
+            let other = other.0[lane].to_bits();
+            f64::from_bits(other ^ ((other ^ chosen.0[lane].to_bits()) & self.0[lane]))
+        })
+    }
+}
+
 /// Rows of equal length, each a list of blocks.
 #[derive(Clone, Debug, Default)]
 pub struct Grid {

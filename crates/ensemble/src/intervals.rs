@@ -46,14 +46,11 @@ impl Intervals {
         for row in 0..self.present.rows() {
             let (present, next) = (self.present.row_mut(row), self.next.row(row));
             for ((present, next), passed) in present.iter_mut().zip(next).zip(&passed) {
-                let (before, next) = (*present, *next);
-                *present = Block::each(|lane| if passed.0[lane] != 0.0 { next.0[lane] } else { before.0[lane] });
+                *present = passed.choose(*next, *present);
             }
         }
-        for lane in 0..self.ready.len() * WIDTH {
-            if self.passed(lane) {
-                self.from.set(0, lane, self.to.get(0, lane));
-            }
+        for ((from, to), passed) in self.from.row_mut(0).iter_mut().zip(self.to.row(0)).zip(&passed) {
+            *from = passed.choose(*to, *from);
         }
     }
 }

@@ -19,6 +19,8 @@ pub(crate) struct Lanes {
     pub index: Vec<u64>,
     /// Number of steps since that row.
     pub steps: Vec<usize>,
+    /// Number of times that a lane has left.
+    pub left: Vec<u64>,
     /// Time and states of the last row that is taken.
     pub last_time: Grid,
     pub last: Grid,
@@ -50,6 +52,8 @@ impl Lanes {
         self.index.resize(count, 0);
         self.steps.clear();
         self.steps.resize(count, 0);
+        self.left.clear();
+        self.left.resize(count, 0);
         self.errors.clear();
         self.errors.resize(count, None);
         self.last_time.fill(0, 0.0);

@@ -6,9 +6,9 @@
 //! code (`Stepper::listing`, with what precedes it in `Stepper::preparations`). `Fixed` makes steps of fixed-step methods and
 //! `Steps` those of Dormand-Prince, where each lane has its own time and step size. `Checks` asks of each interval what
 //! emitted code asks. A lane in which an event or switch could act, or whose step control fails, continues with the engine's
-//! stepper ([`Alone`]) to its next row and comes back. [`Solutions`] solves smooth equations at given times, each lane with
+//! stepper ([`Alone`]) to its next row and comes back; if it has left often, it stays there. [`Solutions`] solves smooth equations at given times, each lane with
 //! times of its own, for fits. [`NoLanes`] says why a model has none: Rosenbrock's method, linear systems, counting
-//! variables, events between steps of a fixed-step method, presses of buttons.
+//! variables, presses of buttons.
 //!
 //! `pulp` compiles the loops for SSE2, AVX2 and AVX-512, for which all functions with loops over lanes are inlined into what
 //! `Width::call` is given. A closure given to an iterator, and `std::array::from_fn`, are often compiled without these
@@ -17,6 +17,7 @@
 //! - **Invariant:** a lane has the bits of the single run: rows, what is read at them, the last state, and errors.
 
 mod advance;
+mod advance_fixed;
 mod alone;
 mod body;
 mod checks;
@@ -28,6 +29,7 @@ mod functions;
 mod grid;
 mod intervals;
 mod lanes;
+mod leaving;
 mod reason;
 mod solutions;
 mod steps;

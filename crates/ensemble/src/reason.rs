@@ -13,8 +13,6 @@ pub enum NoLanes {
     Unwanted,
     /// Buttons are pressed.
     Presses,
-    /// A fixed-step method in a model with events or switches.
-    EventsBetweenFixedSteps,
     /// Changes that depend on the independent variable alone, but not linearly.
     ChangesInTime,
     /// Events, switches that jump or changes at stated times, where solutions at given times are wanted.

@@ -3,7 +3,7 @@
 
 use crate::body::Body;
 use crate::clock::Clock;
-use crate::grid::{Block, Grid, WIDTH};
+use crate::grid::{Block, Grid, Mask, WIDTH};
 use crate::width::{Lanewise, Width};
 use engine::tableau::{DENSE_WEIGHTS, ERROR_WEIGHTS, NODES, STAGE_WEIGHTS, STAGES};
 use engine::{LastStep, StepControl};
@@ -109,7 +109,7 @@ impl Steps {
     /// True if the last attempt of a lane was accepted.
     #[inline(always)]
     pub fn is_accepted(&self, lane: usize) -> bool {
-        self.clocks[lane / WIDTH].accepted.0[lane % WIDTH] != 0.0
+        self.clocks[lane / WIDTH].accepted.has(lane % WIDTH)
     }
 
     /// Makes one attempt of a step in all lanes in which `active` holds, and accepts or shortens it. Returns true for the lanes in which the
@@ -139,7 +139,7 @@ impl Steps {
         own.judge(active, stalled);
         own.accept(rates);
         for (lane, unknown) in own.unknown.iter_mut().enumerate() {
-            *unknown &= own.clocks[lane / WIDTH].accepted.0[lane % WIDTH] == 0.0;
+            *unknown &= !own.clocks[lane / WIDTH].accepted.has(lane % WIDTH);
         }
     }
 
@@ -205,12 +205,16 @@ impl Steps {
                 let (from, peak, result) = (from[block], peaks[block], results[block]);
                 let Clock { attempt, found, .. } = self.clocks[block];
                 let (tolerance, below_peak) = (*tolerance, *below_peak);
-                self.clocks[block].found = Block::each(|lane| {
-                    let magnitude = from.0[lane].abs().max(result.0[lane].abs());
-                    let scale = tolerance * magnitude.max(below_peak * peak.0[lane]).max(floor);
+                let square = Block::each(|lane| {
+                    let magnitude = greater(from.0[lane].abs(), result.0[lane].abs());
+                    let scale = tolerance * greater(greater(magnitude, below_peak * peak.0[lane]), floor);
                     let ratio = (error.0[lane] * attempt.0[lane]) / scale;
-                    found.0[lane] + if result.0[lane].is_finite() { ratio * ratio } else { f64::NAN }
+                    ratio * ratio
                 });
+                // A condition around the division would be compiled to branches.
+                let finite = Mask::each(|lane| result.0[lane].is_finite());
+                let square = finite.choose(square, Block::of(f64::NAN));
+                self.clocks[block].found = Block::each(|lane| found.0[lane] + square.0[lane]);
             }
         }
         let count = states.max(1) as f64;
@@ -242,26 +246,20 @@ impl Steps {
                 let (stages, dense) = (&mut self.stages[place], &mut self.dense[place]);
                 let highest = weighted::<STAGES>(&DENSE_WEIGHTS, stages);
                 let (first, last) = (stages[0], stages[STAGES - 1]);
-                let (from, known) = (self.to.row(state)[block], *dense);
-                let taken = |new: Block, old: Block| {
-                    Block::each(|lane| if accepted.0[lane] != 0.0 { new.0[lane] } else { old.0[lane] })
-                };
+                let from = self.to.row(state)[block];
                 let change = Block::each(|lane| result.0[lane] - from.0[lane]);
                 let bend = Block::each(|lane| size.0[lane] * first.0[lane] - change.0[lane]);
                 let third = Block::each(|lane| change.0[lane] - size.0[lane] * last.0[lane] - bend.0[lane]);
                 let fourth = Block::each(|lane| highest.0[lane] * size.0[lane]);
                 let new = [from, change, bend, third, fourth];
                 for (degree, dense) in dense.iter_mut().enumerate() {
-                    *dense = taken(new[degree], known[degree]);
+                    *dense = accepted.choose(new[degree], *dense);
                 }
-                stages[0] = taken(last, first);
-                let to = taken(result, from);
-                self.to.row_mut(state)[block] = to;
+                stages[0] = accepted.choose(last, first);
+                self.to.row_mut(state)[block] = accepted.choose(result, from);
                 let peak = self.peaks.row(state)[block];
-                self.peaks.row_mut(state)[block] = Block::each(|lane| {
-                    let size = to.0[lane].abs();
-                    if size > peak.0[lane] { size } else { peak.0[lane] }
-                });
+                let greatest = Block::each(|lane| greater(result.0[lane].abs(), peak.0[lane]));
+                self.peaks.row_mut(state)[block] = accepted.choose(greatest, peak);
             }
         }
         for clock in &mut self.clocks {
@@ -276,13 +274,20 @@ impl Steps {
     }
 
     #[inline(always)]
-    fn states_in((own, times, out): (&Self, &[Block], &mut Grid)) {
-        Self::continuous_in((own, times, out));
+    fn states_in<const KEEPS_END: bool>((own, times, out): (&Self, &[Block], &mut Grid)) {
+        let blocks = own.to.blocks();
         for state in 0..own.to.rows() {
-            let (to, out) = (own.to.row(state), out.row_mut(state));
-            for (block, out) in out.iter_mut().enumerate() {
-                let (time, end, to, between) = (times[block], own.clocks[block].end, to[block], *out);
-                *out = Block::each(|lane| if time.0[lane] == end.0[lane] { to.0[lane] } else { between.0[lane] });
+            let to = own.to.row(state);
+            for (block, out) in out.row_mut(state).iter_mut().enumerate() {
+                let (time, to) = (times[block], to[block]);
+                let [c_0, c_1, c_2, c_3, c_4] = &own.dense[state * blocks + block];
+                let (c_0, c_1, c_2, c_3, c_4) = (*c_0, *c_1, *c_2, *c_3, *c_4);
+                let Clock { start, size, end, .. } = own.clocks[block];
+                *out = Block::each(|lane| {
+                    let part = (time.0[lane] - start.0[lane]) / size.0[lane];
+                    let between = continuous([c_0.0[lane], c_1.0[lane], c_2.0[lane], c_3.0[lane], c_4.0[lane]], part);
+                    if KEEPS_END && time.0[lane] == end.0[lane] { to.0[lane] } else { between }
+                });
             }
         }
     }
@@ -290,21 +295,6 @@ impl Steps {
     /// Continuous solution over the last step at a time of each lane, a row of `times`.
     pub fn continuous_at(&self, width: Width, times: &[Block], out: &mut Grid) {
         width.call::<Continuous>((self, times, out));
-    }
-
-    #[inline(always)]
-    fn continuous_in((own, times, out): (&Self, &[Block], &mut Grid)) {
-        let blocks = own.to.blocks();
-        for state in 0..own.to.rows() {
-            for (block, out) in out.row_mut(state).iter_mut().enumerate() {
-                let (dense, time) = (own.dense[state * blocks + block], times[block]);
-                let Clock { start, size, .. } = own.clocks[block];
-                *out = Block::each(|lane| {
-                    let part = (time.0[lane] - start.0[lane]) / size.0[lane];
-                    continuous(dense.each_ref().map(|coefficient| coefficient.0[lane]), part)
-                });
-            }
-        }
     }
 
     /// A state of a lane at `time`, as [`Steps::states_at`].
@@ -317,6 +307,12 @@ impl Steps {
         let dense = &self.dense[state * self.to.blocks() + lane / WIDTH];
         continuous(dense.each_ref().map(|coefficient| coefficient.0[lane % WIDTH]), (time - start) / size)
     }
+}
+
+/// The greater one of two numbers that are not NaN.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Continuous solution at `part` of a step, 0 to 1.
@@ -349,7 +345,7 @@ impl Lanewise for Attempt {
     }
 }
 
-/// [`Steps::states_in`] for all features.
+/// [`Steps::states_at`] for all features.
 struct States;
 
 impl Lanewise for States {
@@ -357,11 +353,11 @@ impl Lanewise for States {
 
     #[inline(always)]
     fn call(arguments: Self::Arguments<'_>) {
-        Steps::states_in(arguments);
+        Steps::states_in::<true>(arguments);
     }
 }
 
-/// [`Steps::continuous_in`] for all features.
+/// [`Steps::continuous_at`] for all features.
 struct Continuous;
 
 impl Lanewise for Continuous {
@@ -369,6 +365,6 @@ impl Lanewise for Continuous {
 
     #[inline(always)]
     fn call(arguments: Self::Arguments<'_>) {
-        Steps::continuous_in(arguments);
+        Steps::states_in::<false>(arguments);
     }
 }

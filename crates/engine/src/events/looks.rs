@@ -133,6 +133,11 @@ impl Looks {
         self.evaluations += 4 * intervals;
     }
 
+    /// Rates of the states, for the interpolant of a method without continuous solution.
+    pub fn motion(&self) -> &Routine {
+        &self.motion
+    }
+
     /// The compared values, and then the same with their rates of change.
     pub fn routines(&self) -> [&Routine; 2] {
         [&self.values, &self.slopes]

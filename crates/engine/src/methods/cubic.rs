@@ -1,5 +1,12 @@
 //! Cubic Hermite polynomial on the interval from 0 to 1: values, range and zeros.
 
+/// Value at `part` of an interval, 0 to 1, of the cubic with these values and slopes (per interval) at its ends: the interpolant of a
+/// state within a step of a fixed-step method.
+#[inline(always)]
+pub fn cubic_value(values: [f64; 2], slopes: [f64; 2], part: f64) -> f64 {
+    Cubic::new(values, slopes).at(part)
+}
+
 /// A cubic polynomial on the interval from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cubic {
@@ -12,6 +19,7 @@ pub(crate) struct Cubic {
 impl Cubic {
     /// Cubic with these values and slopes at 0 and 1, in the units of one state or condition. A slope that is not finite is replaced by that of the straight
     /// line.
+    #[inline(always)]
     pub fn new(values: [f64; 2], slopes: [f64; 2]) -> Self {
         let change = values[1] - values[0];
         let [leaving, arriving] = slopes.map(|slope| if slope.is_finite() { slope } else { change });
@@ -19,6 +27,7 @@ impl Cubic {
     }
 
     /// Value at `part` of the interval, 0 to 1.
+    #[inline(always)]
     pub fn at(&self, part: f64) -> f64 {
         let rest = 1.0 - part;
         let bend = rest * (self.leaving - self.change) - part * (self.arriving - self.change);

@@ -97,10 +97,8 @@ fn documents_have_the_bits_of_single_runs() {
     }
     let expected = [
         "double-pendulum: Interpreted(LinearSystem)",
-        "fourier: EventsBetweenFixedSteps",
-        "gas: EventsBetweenFixedSteps",
+        "fourier: ChangesInTime",
         "logistic-map: Interpreted(Counting)",
-        "random-walk: EventsBetweenFixedSteps",
         "van-der-pol: Interpreted(Method(Rosenbrock))",
     ];
     assert_eq!(alone, expected);

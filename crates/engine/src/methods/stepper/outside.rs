@@ -1,12 +1,14 @@
 //! Runs whose steps are made outside of the stepper, which continues them where something happens.
 
 use super::{Solver, Stepper};
-use crate::Method;
-use crate::compiled::listing::Preparation;
+use crate::compiled::listing::{Preparation, WindowListing};
 use crate::compiled::window_layout::WindowLayout;
 use crate::methods::adaptive::{Place, StepControl};
 use crate::methods::last_step::LastStep;
 use crate::methods::tableau::STAGES;
+use crate::{Method, Routine};
+use program::Interpolation;
+use std::sync::Arc;
 
 /// A moment that a run has reached, with all that determines how it continues; SI units.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +29,19 @@ impl Stepper {
     /// True if nothing can end a step early: the model has no events, no jumps and no changes at fixed times.
     pub fn is_smooth(&self) -> bool {
         self.surfaces.is_smooth()
+    }
+
+    /// Conditions that could end a step early, whose interpolations are appended to `interpolations`: those of the
+    /// [`Stepper::listing`] for a method that has them there. Without formulas if they cannot be checked by formulas.
+    pub fn window(&self, interpolations: &mut Vec<Arc<Interpolation>>) -> WindowListing {
+        self.surfaces.window(self.equations.size(), interpolations).0
+    }
+
+    /// Rates of the states, by which a fixed-step method interpolates within its steps where it looks for changes. They depend on the
+    /// held values too. `None` if it does not look there.
+    pub fn motion(&self) -> Option<&Routine> {
+        let looks = self.surfaces.looks.as_ref()?;
+        matches!(self.solver, Solver::Fixed(_)).then(|| looks.motion())
     }
 
     /// Preparations of the operations of the [`Stepper::listing`]: of the rates, then each of the

@@ -1,7 +1,24 @@
-//! Embeds the pages in the program; without them, its `serve` and `export` report that they are missing.
+//! Embeds the pages that `cargo xtask page` has built; without them, `serve`, `export` and `build` report that they are missing.
 
-mod pages;
+use std::path::Path;
+
+/// Environment variables with the paths of the pages, and their file names.
+const PAGES: [(&str, &str); 2] = [("MENISCUS_PAGE", "meniscus.html"), ("MENISCUS_PLAYER", "player.html")];
 
 fn main() {
-    pages::embed(&[("MENISCUS_PAGE", "meniscus.html"), ("MENISCUS_PLAYER", "player.html")]);
+    println!("cargo::rustc-check-cfg=cfg(page_inside)");
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join("..").join("target").join("page");
+    if PAGES.iter().all(|(_, name)| directory.join(name).is_file()) {
+        println!("cargo::rustc-cfg=page_inside");
+        for (variable, name) in PAGES {
+            let page = directory.join(name);
+            println!("cargo::rustc-env={variable}={}", page.display());
+            println!("cargo::rerun-if-changed={}", page.display());
+        }
+    } else {
+        // Cargo treats a missing path as changed and would build each time. An existing directory changes when the page appears in
+        // it. If the directory cannot be created, only build time is lost.
+        let _ = std::fs::create_dir_all(&directory);
+        println!("cargo::rerun-if-changed={}", directory.display());
+    }
 }

@@ -34,7 +34,7 @@ class _Surroundings:
             return to_js([])
 
     def player(self):
-        path = _FOLDER / "player.html"
+        path = _FOLDER / "shipped" / "player.html"
         return path.read_text(encoding="utf-8") if path.exists() else None
 
     def go_on(self):

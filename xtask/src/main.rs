@@ -8,6 +8,7 @@ mod page;
 mod pyodide;
 mod python;
 mod ratios;
+mod release;
 mod steps;
 mod texts;
 mod tools;
@@ -24,6 +25,9 @@ cargo xtask page    build the pages: target/page/meniscus.html, and the player t
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
                     also the long ones: the class server under load and killed, the Python package
 cargo xtask python  build the Python package, target/python/wheel, and the one for Pyodide, and test both
+cargo xtask release --output DIST [--target TARGET]
+                    write the files of this version into a folder: page, site, program, wheel, source distribution, licences, sums;
+                    with a target, program and wheel for it; `release sums DIST` adds what depends on the files of all targets
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
                     a fifth below those of xtask/ratios.txt; `bench commit` writes that file; `bench emitted` measures
@@ -50,6 +54,9 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["test"] => checks::all(),
         ["test", "full"] => checks::full(),
         ["python"] => steps::step("the Python package", python::test),
+        ["release", "--output", output] => release::make(output, None),
+        ["release", "--output", output, "--target", target] => release::make(output, Some(target)),
+        ["release", "sums", output] => release::finish(output),
         ["texts"] => texts::update(&steps::root()),
         ["bench"] => bench::all(false),
         ["bench", "commit"] => bench::all(true),

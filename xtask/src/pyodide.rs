@@ -20,7 +20,6 @@ pub fn wheel(compiled: &Path) -> Result<PathBuf> {
         ("meniscus/_core.py", source),
         ("meniscus/core.js", folder.join("pyodide.js")),
         ("meniscus/core.wasm", folder.join("pyodide_bg.wasm")),
-        ("meniscus/player.html", steps::player()),
     ];
     let mut files = wheel::files(&fs::read(compiled)?)?;
     files.retain(|file| !file.name.starts_with("meniscus/_core.") || file.name.ends_with(".pyi"));
@@ -31,8 +30,9 @@ pub fn wheel(compiled: &Path) -> Result<PathBuf> {
         files.push(File::like(&first, name, content));
     }
     described(&mut files)?;
-    let version = env!("CARGO_PKG_VERSION");
-    let path = folder.join(format!("meniscus-{version}-py3-none-any.whl"));
+    let name = compiled.file_name().unwrap_or_default().to_string_lossy();
+    let named: Vec<&str> = name.split('-').take(2).collect();
+    let path = folder.join(format!("{}-py3-none-any.whl", named.join("-")));
     fs::write(&path, wheel::archive(&files)?)?;
     Ok(path)
 }

@@ -47,6 +47,64 @@ pub fn rivals() -> Result<()> {
     run(Command::new(&python).arg("-B").arg(folder.join("rivals.py")))
 }
 
+/// Builds the wheel for a target of programs into a folder. On Linux it is for glibc 2.28 (2018) and later.
+pub fn release(target: &str, output: &Path) -> Result<()> {
+    let target = target.replace("-linux-musl", "-linux-gnu");
+    tools::rust_target(&target)?;
+    let mut maturin = tool("maturin")?;
+    maturin.args(["build", "--locked", "--target", &target]);
+    if target.contains("linux") {
+        maturin.args(["--zig", "--compatibility", "manylinux_2_28"]);
+    }
+    let wheel = wheel(&mut maturin, &steps::target().join("python").join("release"))?;
+    fs::copy(&wheel, output.join(wheel.file_name().context("a wheel has a name")?))?;
+    Ok(())
+}
+
+/// Writes the source distribution into a folder. It has player and gallery, so that Rust alone is needed.
+pub fn source(output: &Path) -> Result<()> {
+    ship()?;
+    run(tool("maturin")?.args(["sdist", "--out"]).arg(output).current_dir(package()))
+}
+
+/// Command of a program from the environment of releases, with the others in `PATH`.
+pub fn tool(name: &str) -> Result<Command> {
+    let list = steps::root().join("xtask").join("src").join("release").join("tools.txt");
+    let environment = environment(&steps::target().join("release-tools"), &list)?;
+    let program = program(&environment, name);
+    let folder = program.parent().map(Path::to_owned).unwrap_or_default();
+    let others = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(std::iter::once(folder).chain(std::env::split_paths(&others)))?;
+    let mut command = Command::new(program);
+    command.env("PATH", path);
+    Ok(command)
+}
+
+/// Copies player and gallery into the package, from where wheel and source distribution take them.
+fn ship() -> Result<()> {
+    // Wheel and source distribution carry the player.
+    if !steps::player().is_file() {
+        page::build()?;
+    }
+    let shipped = package().join("python").join("meniscus").join("shipped");
+    if shipped.exists() {
+        fs::remove_dir_all(&shipped)?;
+    }
+    for folder in ["", "theories"] {
+        let from = steps::root().join("simulations").join(folder);
+        let to = shipped.join("simulations").join(folder);
+        fs::create_dir_all(&to)?;
+        for entry in fs::read_dir(&from)? {
+            let path = entry?.path();
+            if let Some(name) = path.file_name().filter(|_| path.extension().is_some_and(|ending| ending == "md")) {
+                fs::copy(&path, to.join(name))?;
+            }
+        }
+    }
+    fs::copy(steps::player(), shipped.join("player.html"))?;
+    Ok(())
+}
+
 /// Folder of the package's sources.
 fn package() -> PathBuf {
     steps::root().join("crates").join("python")
@@ -54,13 +112,9 @@ fn package() -> PathBuf {
 
 /// Builds the wheel with the maturin of an environment. Returns the environment's Python and the wheel.
 fn built(environment: &str, requirements: &Path) -> Result<(PathBuf, PathBuf)> {
-    // The wheel carries the player.
-    if !steps::player().is_file() {
-        page::build()?;
-    }
     let folder = steps::target().join("python");
     let environment = self::environment(&folder.join(environment), requirements)?;
-    let wheel = wheel(&program(&environment, "maturin"), &package(), &folder.join("wheel"))?;
+    let wheel = wheel(Command::new(program(&environment, "maturin")).arg("build"), &folder.join("wheel"))?;
     Ok((program(&environment, "python"), wheel))
 }
 
@@ -90,11 +144,12 @@ fn program(environment: &Path, name: &str) -> PathBuf {
 }
 
 /// Builds the wheel into a folder, which then holds nothing else, and packs it as small as possible.
-fn wheel(maturin: &Path, package: &Path, folder: &Path) -> Result<PathBuf> {
+fn wheel(maturin: &mut Command, folder: &Path) -> Result<PathBuf> {
+    ship()?;
     if folder.exists() {
         fs::remove_dir_all(folder)?;
     }
-    run(Command::new(maturin).args(["build", "--out"]).arg(folder).current_dir(package))?;
+    run(maturin.arg("--out").arg(folder).current_dir(package()))?;
     let wheel = fs::read_dir(folder)?.next().context("maturin has built no wheel")??.path();
     let packed = wheel::files(&fs::read(&wheel)?).and_then(|files| wheel::archive(&files));
     fs::write(&wheel, packed.with_context(|| format!("cannot repack {}", wheel.display()))?)?;

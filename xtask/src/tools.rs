@@ -10,13 +10,17 @@ pub const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Installs the standard library for WebAssembly if it is missing.
 pub fn wasm_target() -> Result<()> {
+    rust_target(TARGET)
+}
+
+/// Installs the standard library for a target if it is missing.
+pub fn rust_target(target: &str) -> Result<()> {
     let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
-    if Path::new(sysroot.trim()).join("lib").join("rustlib").join(TARGET).is_dir() {
+    if Path::new(sysroot.trim()).join("lib").join("rustlib").join(target).is_dir() {
         return Ok(());
     }
-    steps::run(&mut steps::program("rustup", &["target", "add", TARGET])).context(
-        "the WebAssembly target of Rust is missing; install it with `rustup target add wasm32-unknown-unknown`",
-    )
+    steps::run(&mut steps::program("rustup", &["target", "add", target]))
+        .with_context(|| format!("Rust lacks the target {target}; install it with `rustup target add {target}`"))
 }
 
 /// Path of Node, at least version 20.

@@ -1,19 +1,13 @@
-//! The surroundings that the machine gives: files, the player inside this library, and signals.
+//! The surroundings that the machine gives: files, the player beside this library, and signals.
 
 use pyo3::prelude::*;
 use runner::records::{MOST_BYTES, bounded, too_large};
 use runner::{Files, Refusal};
 use std::fs::File;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::UNIX_EPOCH;
-
-/// The player without a simulation.
-#[cfg(page_inside)]
-const PLAYER: Option<&str> = Some(include_str!(env!("MENISCUS_PLAYER")));
-#[cfg(not(page_inside))]
-const PLAYER: Option<&str> = None;
 
 /// The surroundings of one call.
 #[derive(Debug, Default)]
@@ -55,7 +49,8 @@ impl requests::Host for Surroundings {
     }
 
     fn player(&self) -> Option<String> {
-        PLAYER.map(str::to_owned)
+        let package = Python::attach(|py| py.import("meniscus")?.getattr("__file__")?.extract::<PathBuf>()).ok()?;
+        std::fs::read_to_string(package.with_file_name("shipped").join("player.html")).ok()
     }
 
     fn goes_on(&self) -> bool {

@@ -42,7 +42,6 @@ pub static COURSES: [Course; 8] = [
         note: words("one thing swings: period, amplitude, energy"),
         simulations: &[
             ("tube.md", School),
-            ("mass-on-spring.md", School),
             ("pendulum.md", School),
             ("ruchardt.md", FirstYear),
             ("utube.md", FirstYear),
@@ -70,7 +69,6 @@ pub static COURSES: [Course; 8] = [
         note: words("flight, friction, collisions, orbits"),
         simulations: &[
             ("projectile.md", School),
-            ("inclined-plane.md", School),
             ("bouncing-ball.md", School),
             ("kepler.md", FirstYear),
             ("three-bodies.md", Advanced),

@@ -14,6 +14,7 @@ from .arguments import axes, fit_settings, names, refuse_both, settings, text
 from .data import records
 from .errors import Diagnostic, answer, asked, diagnostics
 from .fit import Fit, fit
+from .gallery import found
 from .table import Table, table
 
 if TYPE_CHECKING:
@@ -232,7 +233,7 @@ class Document:
 
 
 def open(document: str | PathLike[str], *, translations: Sequence[str] = ()) -> Document:
-    """Opens a document: a path, or its text. A path is that of a document, a translation, an exported page or a project.
+    """Opens a document: a path, a name of `gallery`, or a text. A path is that of a document, a translation, an exported page or a project.
     ``translations``: texts, for a document that is given as a text.
 
     Raises `DocumentError` if it has errors.
@@ -251,7 +252,7 @@ def check(document: str | PathLike[str], *, translations: Sequence[str] = ()) ->
 def _source(document: str | PathLike[str], translations: Sequence[str]) -> dict[str, Any]:
     """A path, or texts with names."""
     if not isinstance(document, str) or "\n" not in document:
-        return {"path": os.fspath(document)}
+        return {"path": found(os.fspath(document))}
     numbered = [(f"translation {number}", text) for number, text in enumerate(translations, 1)]
     return {"texts": [("document", document), *numbered]}
 

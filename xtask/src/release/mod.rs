@@ -1,0 +1,82 @@
+//! `cargo xtask release`: everything of a version that is published, in one folder.
+//!
+//! | file | made by |
+//! |---|---|
+//! | `meniscus.html`, `site.tar.gz` | `page.rs`, `meniscus build` |
+//! | `meniscus-TARGET.tar.gz` | cargo, or cargo-zigbuild for another system |
+//! | wheel, source distribution | maturin |
+//! | `third-party.txt`, `sbom.json` | `components.rs`, from the lock files |
+//! | `install.sh`, `install.ps1`, `meniscus.rb` | the files of `packaging`, with addresses and sums |
+//! | `notes.md`, `SHA256SUMS` | `CHANGELOG.md`, the files |
+
+mod archive;
+mod components;
+mod program;
+mod ready;
+mod sums;
+
+use crate::steps::{self, run, step};
+use crate::{page, python};
+use anyhow::{Result, ensure};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Version of the workspace, stated in `Cargo.toml` alone.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Writes the files of this version into a folder. With a target, only program and wheel for it.
+pub fn make(output: &str, target: Option<&str>) -> Result<()> {
+    let notes = ready::notes(&steps::root())?;
+    // Paths are those of the caller, and the tools run in the folder of the workspace.
+    let output = std::path::absolute(output)?;
+    fs::create_dir_all(&output)?;
+    let page = step("the page", page::build)?;
+    let third = output.join("third-party.txt");
+    step("third-party licences", || components::write(&third, &output.join("sbom.json")))?;
+    let host = program::host()?;
+    let program = step("the program", || program::packed(target.unwrap_or(&host), &third, &output))?;
+    step("the wheel", || python::release(target.unwrap_or(&host), &output))?;
+    if target.is_none() {
+        fs::copy(page, output.join("meniscus.html"))?;
+        step("the site", || site(&program, &output))?;
+        step("the source distribution", || python::source(&output))?;
+        fs::write(output.join("notes.md"), notes)?;
+    }
+    sums::write(&output)
+}
+
+/// Adds what depends on the files of all targets: sums, scripts of installation, Homebrew's formula.
+pub fn finish(output: &str) -> Result<()> {
+    sums::write(&std::path::absolute(output)?)
+}
+
+/// The site of all simulations.
+fn site(program: &Path, output: &Path) -> Result<()> {
+    let site = steps::target().join("release-site");
+    if site.exists() {
+        fs::remove_dir_all(&site)?;
+    }
+    run(Command::new(program).args(["build", "simulations", "--output"]).arg(&site).current_dir(steps::root()))?;
+    let names = files(&site)?;
+    archive::write(&site, &names, &output.join("site.tar.gz"))
+}
+
+/// Paths of the files below a folder, from there, sorted.
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut folders = vec![folder.to_owned()];
+    let mut files = Vec::new();
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                files.push(path.strip_prefix(folder)?.to_owned());
+            }
+        }
+    }
+    files.sort();
+    ensure!(!files.is_empty(), "{} is empty", folder.display());
+    Ok(files)
+}

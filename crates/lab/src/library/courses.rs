@@ -42,6 +42,7 @@ pub static COURSES: [Course; 8] = [
         note: words("one thing swings: period, amplitude, energy"),
         simulations: &[
             ("tube.md", School),
+            ("mass-on-spring.md", School),
             ("pendulum.md", School),
             ("ruchardt.md", FirstYear),
             ("utube.md", FirstYear),

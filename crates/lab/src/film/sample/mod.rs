@@ -2,9 +2,11 @@
 //!
 //! `story.rs` plays it, measures it, and lays drawing and fit over it: *See it measured*.
 
+mod moment;
 mod story;
 
-pub use story::{Moment, bar, begin, follow};
+pub use moment::Moment;
+pub use story::{bar, begin, follow};
 
 use super::access::Trouble;
 use super::now::now;

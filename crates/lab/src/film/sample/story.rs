@@ -5,6 +5,7 @@ use super::super::access::Player;
 use super::super::aim::Tool;
 use super::super::now::now;
 use super::super::{frames, opening, words};
+use super::moment::{MOMENTS, Moment};
 use super::{measure, take};
 use crate::app::App;
 use crate::fit;
@@ -23,34 +24,6 @@ const MISS: f64 = 5000.0;
 
 /// Number of looks for the record after the tracking, 50 ms apart.
 const RECORD_TASKS: usize = 40;
-
-/// Part of the story.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Moment {
-    /// The film plays while it is tracked.
-    Film,
-    /// The film plays again, and the measured points appear.
-    Curve,
-    /// The drawing moves over the film, with the curve of the present values.
-    Theory,
-    /// The fit.
-    Fit,
-}
-
-/// All moments, in their order.
-const MOMENTS: [Moment; 4] = [Moment::Film, Moment::Curve, Moment::Theory, Moment::Fit];
-
-impl Moment {
-    /// Name for the style sheet.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Film => "film",
-            Self::Curve => "curve",
-            Self::Theory => "theory",
-            Self::Fit => "fit",
-        }
-    }
-}
 
 /// Marks the page for the style sheet, reveals the measured points, and hears what ends the story.
 pub fn follow(app: App) {

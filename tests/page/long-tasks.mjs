@@ -1,7 +1,7 @@
 // A measure, not a part of the tests: for each situation the longest task of the main thread and the number of tasks above 50 ms,
 // as the Long Tasks API counts them, and the processor time of the tasks, which depends less on what else the machine does.
 //
-//     CHROME=.. PAGE=.. node --test measuring/long-tasks.mjs
+//     CHROME=.. PAGE=.. node --test long-tasks.mjs
 //
 // Each situation is repeated TIMES times (3), and the smallest of the longest counts: other programs make tasks longer, never shorter.
 // ONLY="opening, fit" chooses situations. With TRACE=1 each long animation frame tells its scripts, and a profile is written to /tmp.
@@ -11,9 +11,9 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { Lab, beside, eventually, labPage, temporary } from "../lab.mjs";
-import { records } from "../measured.mjs";
-import { withoutWorkers } from "../workers.mjs";
+import { Lab, beside, eventually, labPage, temporary } from "./lab.mjs";
+import { records } from "./measured.mjs";
+import { withoutWorkers } from "./workers.mjs";
 
 const TIMES = Number(process.env.TIMES ?? 3);
 const ROWS = 1_000_000;
@@ -23,7 +23,7 @@ const only = process.env.ONLY?.split(",").map((name) => name.trim());
 
 /** Document of about 2,000 lines, as `crates/probe/src/long.rs` makes it. */
 function longDocument() {
-  const part = readFileSync(new URL("../../../crates/probe/systems/oscillator.md", import.meta.url), "utf8");
+  const part = readFileSync(new URL("./../../crates/probe/systems/oscillator.md", import.meta.url), "utf8");
   const parts = Array.from({ length: PARTS }, (_, index) => part.replaceAll("@", String(index + 1)));
   return `---\ntitle: Fifty oscillators\nmethod: dormand-prince\nstep: 0.05 [s]\nuntil: 10 [s]\n---\n${parts.join("")}`;
 }

@@ -1,6 +1,6 @@
 //! Packages of others that are in what is published: their licences, and a bill of materials (CycloneDX 1.5). Both follow from the lock files.
 
-use super::VERSION;
+use super::version::VERSION;
 use crate::steps::{self, output};
 use crate::tools;
 use anyhow::{Context, Result};

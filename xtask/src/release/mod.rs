@@ -14,6 +14,7 @@ mod components;
 mod program;
 mod ready;
 mod sums;
+mod version;
 
 use crate::steps::{self, run, step};
 use crate::{page, python};
@@ -21,9 +22,6 @@ use anyhow::{Result, ensure};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-
-/// Version of the workspace, stated in `Cargo.toml` alone.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Writes the files of this version into a folder. With a target, only program and wheel for it.
 pub fn make(output: &str, target: Option<&str>) -> Result<()> {

@@ -1,6 +1,6 @@
 //! Conditions of a release.
 
-use super::VERSION;
+use super::version::VERSION;
 use crate::steps::{self, output};
 use anyhow::{Context, Result, bail, ensure};
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! `SHA256SUMS`, and the files of `packaging`, which state addresses and sums.
 
-use super::VERSION;
+use super::version::VERSION;
 use crate::steps;
 use anyhow::{Context, Result};
 use sha2::{Digest, Sha256};

@@ -13,7 +13,7 @@ use super::now::now;
 use super::refusals::said;
 use super::{opening, tracking};
 use crate::app::App;
-use desk::{FilmOpening, FilmedSurface, LengthsForm, Subject};
+use desk::{Desk, FilmOpening, FilmedSurface, LengthsForm, Subject};
 use film::tracking::column::Click;
 use js_sys::Array;
 use view::browser;
@@ -49,12 +49,13 @@ pub fn open(app: App) {
 async fn take(app: App) -> Result<FilmOpening, String> {
     app.films.opening.set(Some(NAME.to_owned()));
     let opened = match file().await {
-        Some(file) => opening::take(app, file, |desk, identity, film| {
-            desk.change_films(|films, play| films.open(play, identity, film))
-        }),
-        None => return Err(said(app, &Trouble::Unreadable)),
+        Some(file) => {
+            let open =
+                |desk: &mut Desk, identity, film| desk.change_films(|films, play| films.open(play, identity, film));
+            opening::take(app, file, open).await
+        }
+        None => Err(said(app, &Trouble::Unreadable)),
     };
-    let opened = opened.await;
     app.films.opening.set(None);
     opened
 }

@@ -39,7 +39,10 @@ fn teachers_words_find_the_documents() {
         ("\"Cross-section of the tube\"", "tube utube"),
         ("vida media", "decay-chain"),
         // An abbreviation, which is not looked for in texts; *masa* begins with it.
-        ("MAS", "chain coupled-oscillators driven-oscillator mass-on-spring pendulum ruchardt theories/linear tube utube"),
+        (
+            "MAS",
+            "chain coupled-oscillators driven-oscillator mass-on-spring pendulum ruchardt theories/linear tube utube",
+        ),
         ("Verhulst", "logistic-map"),
     ] {
         let found: Vec<&str> =

@@ -70,6 +70,7 @@ pub static COURSES: [Course; 8] = [
         note: words("flight, friction, collisions, orbits"),
         simulations: &[
             ("projectile.md", School),
+            ("inclined-plane.md", School),
             ("bouncing-ball.md", School),
             ("kepler.md", FirstYear),
             ("three-bodies.md", Advanced),

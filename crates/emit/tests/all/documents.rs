@@ -97,7 +97,6 @@ fn runs_side_by_side_have_the_same_bits() {
         "coupled-oscillators.md",
         "linear-quadratic.md",
         "linear.md",
-        "mass-on-spring.md",
         "power-law.md",
         "quadratic.md",
         "rlc.md",

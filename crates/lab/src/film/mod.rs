@@ -3,7 +3,8 @@
 //! `access` is all that knows how a browser decodes. `signals.rs` holds what views track, `state.rs` what the desk says of
 //! the open film. `tools.rs` says what a click on the film means, `tracking.rs` drives the desk's tracking in slices,
 //! `together.rs` keeps the run at the time of the frame shown. `stage.rs` puts the film in the place of scene and transport
-//! (`view::Host::picture`), `sample` is the film that the page has, `acts` are the four steps in the panel, `filming` is the virtual camera.
+//! (`view::Host::picture`), `sample` is the film that the page has, `acts` are the four steps in the panel,
+//! `filming` is the virtual camera.
 
 mod access;
 pub mod acts;

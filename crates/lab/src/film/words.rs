@@ -36,7 +36,6 @@ table_of_words! {
 
     // The sample film.
     sample_film: "Sample film";
-    see_measured: "See it measured";
     story_film: "A tube, dyed water, a camera. The surface is being found in each frame.";
     story_curve: "While the liquid swings, its curve is drawn out of the surface.";
     story_theory: "The drawn tube swings, too, but not like the filmed one: its curve misses the points.";

@@ -16,7 +16,7 @@ pub fn values(app: App) -> Vec<f64> {
     app.read(|play| play.course().parameters().to_vec())
 }
 
-/// Lets the simulation travel from `before` (SI) to the values that a fit has set. A change by somebody else ends the travel at
+/// Lets the simulation travel from `before` (SI) to the values that a fit has set. Any other change ends the travel at
 /// once. Does nothing if the visitor wishes less motion, or if the run takes too long to compute.
 pub fn from(app: App, before: Vec<f64>) {
     let (fitted, end, rows) = app.read(|play| {
@@ -40,7 +40,7 @@ pub fn from(app: App, before: Vec<f64>) {
             let is_alone = now == set;
             let next = match is_alone && share < 1.0 {
                 true => between(app, &before, &fitted, share * share * (3.0 - 2.0 * share)),
-                // What somebody else has changed stays.
+                // A value that was changed meanwhile stays.
                 false => (0..now.len()).map(|k| if now[k] == set[k] { fitted[k] } else { now[k] }).collect(),
             };
             app.slide(|play| {

@@ -27,7 +27,7 @@ impl Level {
 /// A course.
 pub struct Course {
     pub title: Words,
-    /// What its simulations have in common.
+    /// Common subject of its simulations.
     pub note: Words,
     /// File names of its simulations, with their levels.
     simulations: &'static [(&'static str, Level)],

@@ -36,15 +36,17 @@ pub fn follow(app: App) {
         };
         measure_again(app);
     });
+    // Outside of the story no frame of a film changes it.
+    let until = memo(move || match app.films.story.get() {
+        Some(Moment::Film) => Some(f64::NEG_INFINITY),
+        Some(Moment::Curve) => {
+            let frame = app.films.painted.get().unwrap_or_default();
+            app.read_desk(|desk| desk.films().model_time_of(frame)).or(Some(0.0))
+        }
+        _ => None,
+    });
     effect(move || {
-        let painted = app.films.painted.get();
-        let until = match app.films.story.get() {
-            Some(Moment::Film) => Some(f64::NEG_INFINITY),
-            Some(Moment::Curve) => {
-                app.read_desk(|desk| desk.films().model_time_of(painted.unwrap_or_default())).or(Some(0.0))
-            }
-            _ => None,
-        };
+        let until = until.get();
         app.slide(|play| play.change_plots(|plots, _| plots.draw_records_until(until)));
     });
     browser::listen("pointerdown", move |event: &PointerEvent| {
@@ -209,7 +211,7 @@ pub fn bar(app: App) -> View {
     section()
         .class("transport story")
         .id("story")
-        .attr("aria-label", words.see_measured)
+        .attr("aria-label", app.page.words().see_measured)
         .child(div().class("moments").each(shares, |share| share))
         .child(p().id("story-said").role("status").child(said))
         .child(span().class("note").child(text(progress)))

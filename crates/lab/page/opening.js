@@ -22,9 +22,16 @@ globalThis.opening = {
   },
   // Called by the player when it shows the simulation, with the function that hands it over; without one if there is none.
   offer(give) {
-    opening.give = give;
+    opening.give =
+      give &&
+      (() => {
+        listening.abort();
+        return give();
+      });
     offered();
   },
+  // Until the laboratory may do the next part of its work, or with `isLast` replace what the player shows.
+  turn: (isLast) => whenIdle(isLast ? mayReplace : mayWork),
   // The packed bytes of a part.
   bytes: (id) => packed(document.getElementById(id)),
   // A part of the player as text, for pages that the laboratory publishes.
@@ -104,7 +111,7 @@ const load = async () => {
   };
   const library = document.querySelector("script#library");
   const [module] = await Promise.all([
-    inflated(part).then((bytes) => WebAssembly.compile(bytes)),
+    inflated(part, "gzip", () => new Promise((done) => setTimeout(done))).then((bytes) => WebAssembly.compile(bytes)),
     begun(),
     library?.dataset.script && run(library.dataset.script).catch(broken),
   ]);
@@ -113,24 +120,33 @@ const load = async () => {
 // Until the player has offered what it shows.
 let offered;
 const isOffered = new Promise((done) => (offered = done));
-let taken;
-// Starts the laboratory, which takes over what the player shows.
-const takeOver = () => {
+let begun;
+// Starts the laboratory. It makes its page part by part, beside what the player shows, and then takes that over.
+const begin = () => {
   compiled ??= load();
-  taken ??= compiled.then(async (module) => {
+  begun ??= compiled.then(async (module) => {
     await Promise.all([firstFrame, isOffered, texts.load(`laboratory-texts-${document.documentElement.lang}`)]);
-    // A button that is replaced while it is pressed hears no click.
-    while (isPressed) await new Promise((done) => setTimeout(done, 20));
-    listening.abort();
+    await whenIdle(mayWork);
+    if (!opening.give) listening.abort();
     return laboratory({ module_or_path: module });
   });
-  return taken.catch(failed);
+  return begun.catch(failed);
+};
+// True once somebody waits for the laboratory.
+let isAwaited = false;
+const takeOver = () => {
+  isAwaited = true;
+  lookAgain();
+  return begin();
 };
 // Until the laboratory is there, what it would take is held.
 const listening = new AbortController();
 let isPressed = false;
+// Time of the last key or press, in milliseconds.
+let touched = -Infinity;
 const on = (events, react) => events.forEach((event) => addEventListener(event, react, { signal: listening.signal, capture: true }));
 on(["pointerdown", "keydown"], () => (isPressed = true));
+on(["pointerdown", "pointerup", "keydown", "wheel"], () => (touched = performance.now()));
 on(["pointerup", "pointercancel", "keyup", "blur"], () => (isPressed = false));
 on(["dragenter", "dragover", "drop"], (event) => {
   if (!event.dataTransfer?.types.includes("Files")) return;
@@ -140,20 +156,21 @@ on(["dragenter", "dragover", "drop"], (event) => {
 on(["hashchange", "popstate"], takeOver);
 // True if nobody is about to do anything that another page would interrupt.
 const isAtRest = () =>
-  !isPressed &&
   !document.activeElement?.closest("#panel, #messages, dialog") &&
   !document.querySelector("dialog[open], .message.passing, .stage [aria-expanded=true], .tip:not(:empty)");
-// Loads the laboratory when the page is idle, and starts it as soon as nobody is disturbed.
-const follow = () => {
-  // A page that is never idle, as where each frame takes all of its time, waits two seconds at most.
-  const idle = (then) => (globalThis.requestIdleCallback ? requestIdleCallback(then, { timeout: 2000 }) : setTimeout(then, 200));
-  const wait = () => {
-    if (taken) return;
-    if (isAtRest()) idle(() => (isAtRest() ? takeOver() : wait()));
-    else setTimeout(wait, 200);
-  };
-  idle(() => {
-    compiled ??= load();
-    compiled.then(wait).catch(failed);
+// Nothing is done while something is pressed: a button that is replaced then hears no click. A run that plays is disturbed only if
+// nobody has touched anything for ten seconds.
+const mayWork = () => !isPressed && (isAwaited || !document.querySelector("#play.playing") || performance.now() - touched > 10_000);
+const mayReplace = () => mayWork() && (isAwaited || isAtRest());
+// A page that is never idle, as where each frame takes all of its time, waits two seconds at most.
+const idle = (then) => (globalThis.requestIdleCallback ? requestIdleCallback(then, { timeout: 2000 }) : setTimeout(then, 200));
+let lookAgain = () => {};
+// Until `may` holds while the page is idle, or, once somebody waits for the laboratory, in any task.
+const whenIdle = (may) =>
+  new Promise((done) => {
+    const look = () => (may() ? done() : setTimeout(lookAgain, 50));
+    lookAgain = () => (isAwaited ? setTimeout(look) : idle(look));
+    lookAgain();
   });
-};
+// Loads the laboratory when the page is idle, and begins it.
+const follow = () => idle(() => begin());

@@ -116,6 +116,8 @@ pub struct Laboratory {
     pub new_record: Signal<Option<u32>>,
     /// The open film.
     pub films: Films,
+    /// Number of parts of the page that may be built; see [`App::part`].
+    built: Signal<usize>,
     /// The hand-ins of a class.
     pub class: Room,
     /// The answers of the class to surveys.
@@ -225,6 +227,7 @@ impl App {
             new_record: create_signal(None),
             leaving_out: create_signal(false),
             films: Films::new(),
+            built: create_signal(usize::MAX),
             class: Room::new(language),
             survey: SurveyRoom::new(),
             fit: Fitting::new(),
@@ -259,6 +262,17 @@ impl App {
         let was_hidden = embedding.hides(part);
         embedding.hidden.retain(|other| *other != part);
         was_hidden
+    }
+
+    /// A part of the page. Its turn comes by its number while a page is built part by part, beside another one.
+    pub fn part(self, number: usize, mut build: impl FnMut() -> View + 'static) -> View {
+        let is_due = memo(move || number < self.built.get());
+        changing(move || if is_due.get() { build() } else { View::new() })
+    }
+
+    /// Lets this number of parts be built.
+    pub fn build_parts(self, number: usize) {
+        self.page.within(|| self.built.set(number));
     }
 
     /// Texts of the interface. Not tracked: views with texts are rebuilt when the language changes.

@@ -16,11 +16,12 @@
 //!
 //! `panel/needed.rs` turns *For teachers* on when something is opened that needs a hidden part.
 //!
-//! Opening: `crates/lab/page/opening.js` inflates and compiles the laboratory when the page is idle, and starts it as soon as
-//! nothing in the panel has the focus, no dialog, menu or passing message is shown and nothing is pressed; or at once when it
-//! is asked for, or when link, step of the history or errors need another document than the player's. `workspace.rs` calls
-//! `view::page::opening::Opening::take`, and builds its views in the same task in which the player ends, so that nothing is
-//! painted between. Its live region is empty then.
+//! Opening: `crates/lab/page/opening.js` inflates and compiles the laboratory when the page is idle, and says when it may work:
+//! never while something is pressed, and while a run plays only ten seconds after the last press or key. `workspace.rs` reads the
+//! document and builds the page part by part, outside of what is shown (`App::part`). It calls `view::page::opening::Opening::take`
+//! as soon as nothing in the panel has the focus and no dialog, menu or passing message is shown, and puts its page in the place of
+//! the player's in the same task, so that nothing is painted between. Its live region is empty then. Everything comes as soon as it
+//! can when it is asked for, or when link, step of the history or errors need another document than the player's.
 //!
 //! - **Invariant:** no physics, and no state of the laboratory: that is in the one `Desk`.
 

@@ -39,15 +39,22 @@ const broken = (error) => {
   isWhole = false;
   throw error;
 };
-// Inflates a part.
-const inflated = async (part, format = "gzip") => {
+// Inflates a part. With `rest` in portions, between which the page answers: browsers inflate what is written at once in one task.
+const inflated = async (part, format = "gzip", rest) => {
   // Written to directly: the stream of a blob makes the way through the browser's other processes.
   const inflater = new DecompressionStream(format);
   const bytes = await packed(part).catch(broken);
   const writer = inflater.writable.getWriter();
+  const portion = rest ? 1 << 17 : bytes.length;
+  const write = async () => {
+    for (let at = 0; at < bytes.length; at += portion) {
+      if (at) await rest();
+      await writer.write(bytes.subarray(at, at + portion));
+    }
+    await writer.close();
+  };
   // Of damage one hears where it is read.
-  writer.write(bytes).catch(() => {});
-  writer.close().catch(() => {});
+  write().catch(() => {});
   return new Response(inflater.readable).arrayBuffer().catch(broken);
 };
 // Texts of the languages, packed in elements behind this script and further on: inflated once, and kept for the module.

@@ -337,6 +337,11 @@ impl App {
         self.act(|play| act(play).err().map(|refusal| play.basis().refusal_text(&refusal)))
     }
 
+    /// Calls `work` in the scope of the page: what it creates lives as long as the page.
+    pub fn within(self, work: impl FnOnce()) {
+        self.scope.run_in(work);
+    }
+
     /// Notifies the views of an action and redraws.
     pub fn acted(self, by_slider: bool) {
         self.publish(true, by_slider);

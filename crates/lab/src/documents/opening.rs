@@ -9,6 +9,7 @@ use desk::{Desk, Writing};
 use document::page::Source;
 use document::{Document, Opened, Opening};
 use std::rc::Rc;
+use units::Language;
 use view::page::opening::Handed;
 use view::{browser, page::messages};
 use web_sys::Event;
@@ -42,22 +43,37 @@ pub fn open(app: App, sources: Vec<Source>, state: &str) {
     open_visited(app, present.unwrap_or(Visited { sources, draft: None }), state);
 }
 
-/// Opens the page's own document as the player shows it.
-pub fn take_over(app: App, handed: &mut Handed) {
-    handed.prepare(app.page);
+/// The page's own document, made for a page in this language. `turn` is awaited before each part of the work.
+pub async fn home(language: Language, turn: impl AsyncFn()) -> Home {
     let visited = visited::present().filter(|visited| visited.sources == library::home());
     let visited = visited.unwrap_or_else(|| Visited { sources: library::home(), draft: None });
-    let made = Made::of(app, opened(&visited.sources));
-    place_visited(app, visited, made, |desk, _| {
-        handed.continue_in(desk.play_mut());
-        None
-    });
+    let made = made_in_portions(&visited.sources, language, turn).await;
+    Home { visited, made }
+}
+
+/// The page's own document, on a desk that is not shown yet.
+pub struct Home {
+    visited: Visited,
+    made: Made,
+}
+
+impl Home {
+    /// Places the document, as it is at first.
+    pub fn place(self, app: App) {
+        place_visited(app, self.visited, self.made, |_, _| None);
+    }
+}
+
+/// Continues the simulation of the player, whose document is open.
+pub fn take_over(app: App, handed: &mut Handed) {
+    handed.prepare(app.page);
+    app.act_on_desk(|desk| handed.continue_in(desk.play_mut()));
     visited::note(app, None);
 }
 
 /// Opens a document of a history entry, with its draft.
 fn open_visited(app: App, visited: Visited, state: &str) {
-    let made = Made::of(app, opened(&visited.sources));
+    let made = Made::of(app.language.get_untracked(), opened(&visited.sources));
     place_made(app, visited, made, state);
 }
 
@@ -84,14 +100,26 @@ struct Made {
 }
 
 impl Made {
-    fn of(app: App, opened: Opened) -> Self {
+    /// Places a read document on a desk whose texts are in this language.
+    fn of(language: Language, opened: Opened) -> Self {
         let mut desk = opened.document.map(Desk::open);
         if let Some(desk) = &mut desk {
             compile_steps(desk);
-            desk.set_language(app.language.get_untracked().tag());
+            desk.set_language(language.tag());
         }
         Self { desk, findings: opened.diagnostics }
     }
+}
+
+/// Reads and checks the texts of a document and places it on a desk. `turn` is awaited before each part of the work.
+async fn made_in_portions(sources: &[Source], language: Language, turn: impl AsyncFn()) -> Made {
+    turn().await;
+    let (source, translations) = texts_of(sources);
+    let opening = Opening::begin(source);
+    turn().await;
+    let opened = opening.finish(&translations);
+    turn().await;
+    Made::of(language, opened)
 }
 
 /// Makes the steps of the run, and of later ones, in WebAssembly that is emitted for them.
@@ -216,13 +244,7 @@ pub fn go_to(app: App, sources: Vec<Source>, state: &str) {
 /// [`go_to`] in several tasks of the browser, for a document of any length. If another one is opened meanwhile, that one stays.
 pub async fn go_to_in_portions(app: App, sources: Vec<Source>, state: &str) {
     let Some(own) = app.with(Lab::ask_for_document) else { return };
-    browser::breathe().await;
-    let (source, translations) = texts_of(&sources);
-    let opening = Opening::begin(source);
-    browser::breathe().await;
-    let opened = opening.finish(&translations);
-    browser::breathe().await;
-    let made = Made::of(app, opened);
+    let made = made_in_portions(&sources, app.language.get_untracked(), browser::breathe).await;
     let is_latest = || app.with(|lab| lab.asked_for) == Some(own);
     browser::breathe().await;
     if !is_latest() {

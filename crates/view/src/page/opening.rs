@@ -63,6 +63,15 @@ impl Opening {
         Language::of(&root.and_then(|root| root.get_attribute("lang")).unwrap_or_default())
     }
 
+    /// Waits until the laboratory may do the next part of its work, or with `is_last` replace what the player shows. Nothing comes
+    /// between the end of the wait and what follows.
+    pub async fn turn(&self, is_last: bool) {
+        let Ok(turn) = self.field("turn").dyn_into::<Function>() else { return };
+        if let Some(turn) = turn.call1(&self.0, &is_last.into()).ok().and_then(|turn| turn.dyn_into().ok()) {
+            let _ = browser::wait(turn).await;
+        }
+    }
+
     /// Takes the simulation from the player; `None` if no player shows one.
     pub fn take(&self) -> Option<Handed> {
         let give: Function = self.field("give").dyn_into().ok()?;
@@ -153,7 +162,7 @@ impl Handed {
         }
     }
 
-    /// Sets what the views show, before they are built.
+    /// Sets what the views show.
     pub fn prepare(&self, app: App) {
         app.tab.set(find_tab(&self.tab).unwrap_or(tabs::EXPLORE));
         app.everything.set(self.everything);

@@ -84,7 +84,7 @@ pub fn view(app: App) -> HtmlSection {
     };
     let play = move || if playing.get() { words.pause } else { words.play };
     let toggle = button()
-        .class("play")
+        .class(move || if playing.get() { "play playing" } else { "play" })
         .id("play")
         .title(move || format!("{} (K)", play()))
         .attr("aria-label", play)

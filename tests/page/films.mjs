@@ -113,4 +113,7 @@ export async function onScreen(lab, [x, y], size = SIZE) {
 }
 
 export const clickFilmed = async (lab, at, size = SIZE) => lab.page.mouse.click(...(await onScreen(lab, at, size)));
+/** Unfolds a step from film to record with all that is folded in it: `film`, `follow`, `lengths`, `record`. */
+export const unfoldStep = (lab, step) =>
+  lab.page.locator(`#film-act-${step} details`).evaluateAll((folds) => folds.forEach((fold) => (fold.open = true)));
 export const tracked = (lab) => lab.page.locator("#film-record").waitFor({ timeout: 60_000 });

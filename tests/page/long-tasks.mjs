@@ -61,7 +61,7 @@ async function openLong(lab) {
 /** Takes the sample of the laboratory's tube. */
 async function sample(lab) {
   await lab.tab("Measure");
-  await lab.page.locator("#panel").getByRole("button", { name: "Column of 18 cm", exact: true }).click();
+  await lab.page.locator("#panel").getByRole("button", { name: /Column of 18 cm/ }).click();
   await records(lab).waitFor();
 }
 

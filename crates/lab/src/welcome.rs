@@ -63,8 +63,8 @@ fn press(app: App, id: &str) {
 fn own_film(app: App) {
     app.tab.set(tabs::MEASURE);
     let is_open = app.films.open.get_untracked();
-    browser::reveal_later(if is_open { "film-acts" } else { "open-film" }.to_owned());
-    if !is_open && let Some(chooser) = browser::by_id::<HtmlElement>("film-file") {
+    browser::reveal_later(if is_open { "film-acts" } else { "choose-record" }.to_owned());
+    if !is_open && let Some(chooser) = browser::by_id::<HtmlElement>("record-file") {
         chooser.click();
     }
 }

@@ -21,10 +21,15 @@ table_of_words! {
     drop_what: "A simulation document, a simulation of EJS, an exported page, a film of an experiment, a table from a sensor, or a hand-in or report to be verified";
 
     // Measurements.
-    measurements_intro: "Open a film of an experiment and click what moves, or bring a record: a table of times and values as text, XLSX, ODS or XLS, as the tracking program or spreadsheet wrote it. Drop the file anywhere on this page, choose it, or paste it. It stays in your browser.";
+    measurements_title: "What has been measured?";
+    measurements_intro: "Nothing leaves this page.";
+    sample_film: "Our film";
+    sample_film_about: "Start here: click what moves";
+    choose_record: "Your film or file";
+    choose_record_about: "From a camera, a logger, a spreadsheet; or drop it anywhere";
+    sample_record: "Sample record";
+    other_ways: "Camera, more samples, table as text";
     records: "Records";
-    choose_record: "Choose a file";
-    paste_record: "Paste a table";
     paste_label: "Table as text";
     paste_name: "pasted table";
     read_record: "Read";
@@ -99,7 +104,8 @@ table_of_words! {
     guide_done: "Done: you have measured a period. A film of your own gives the same curve.";
     guide_skip: "Skip";
     library_search: "Search";
-    library_topics: "Topics";
+    library_levels: "Level";
+    library_all_levels: "All levels";
     library_found: "Simulations found";
     library_and_theories: "theories";
     library_intro: "Records and fits stay when another document is opened.";

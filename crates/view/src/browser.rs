@@ -26,9 +26,12 @@ pub fn focused() -> String {
     document().active_element().map(|element| element.id()).unwrap_or_default()
 }
 
-/// Moves the focus to an element.
+/// Moves the focus to an element, and opens the folds around it: nothing in a closed one takes the focus.
 pub fn focus(id: &str) {
     if let Some(element) = by_id::<HtmlElement>(id) {
+        while let Ok(Some(fold)) = element.closest("details:not([open])") {
+            let _ = fold.set_attribute("open", "");
+        }
         let _ = element.focus();
     }
 }

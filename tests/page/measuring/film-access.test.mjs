@@ -95,11 +95,13 @@ visit("over the network without encryption no film opens, and the page says what
 
 visit("the camera films, and the film opens", async (lab) => {
   await lab.page.locator("#tab-measure").click();
+  await lab.page.locator("#other-ways summary").click();
   await lab.press("Record film");
   await lab.button("Stop recording").waitFor();
   await new Promise((done) => setTimeout(done, 1500));
   await lab.press("Stop recording");
   await lab.page.locator("#film-frame[data-frame]").waitFor();
   assert.match(await lab.page.locator("#film-name").innerText(), /^film-.*\.(webm|mp4)$/);
+  await lab.page.locator("#other-ways summary").click();
   await lab.button("Record film").waitFor();
 });

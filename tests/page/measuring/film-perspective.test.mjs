@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { beside, eventually, number, visit } from "../lab.mjs";
-import { dropFilm, goTo } from "../films.mjs";
+import { dropFilm, goTo, unfoldStep } from "../films.mjs";
 import { openTheory } from "../measured.mjs";
 
 const truth = JSON.parse(readFileSync(beside("films/plane.json"), "utf8"));
@@ -36,7 +36,7 @@ visit("a rectangle that is seen at an angle gives lengths within the stated erro
   await lab.page.locator("#film-kind-body").click();
   await click(lab, frames[0].seen);
   await lab.page.locator("#film-record").waitFor({ timeout: 60_000 });
-  await lab.page.locator("#film-act-lengths details").evaluate((fold) => (fold.open = true));
+  await unfoldStep(lab, "lengths");
   await lab.page.locator("#film-corners").click();
   // In any order: the page names them.
   for (const corner of [2, 0, 3, 1]) await click(lab, truth.corners[corner]);

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { eventually, number, visit } from "../lab.mjs";
-import { RULER, SURFACE, clickFilmed, filmSimulation, goTo, onScreen, tracked } from "../films.mjs";
+import { RULER, SURFACE, clickFilmed, filmSimulation, goTo, onScreen, tracked, unfoldStep } from "../films.mjs";
 import { openTheory } from "../measured.mjs";
 
 /** The level of the filmed U-tube above rest in metres, at a frame. */
@@ -26,7 +26,7 @@ visit("a rectangle: corners in any order, moved and removed one by one", async (
   await filmSimulation(lab, { seconds: "3" });
   await clickFilmed(lab, SURFACE);
   await tracked(lab);
-  await lab.page.locator("#film-act-lengths details").evaluate((fold) => (fold.open = true));
+  await unfoldStep(lab, "lengths");
   await lab.page.locator("#film-corners").click();
   // A pixel of the picture is 1/38.63 m: the sides are those of a rectangle in the plane of the tube.
   const corners = [[170, 49], [170, 280.8], [555.5, 280.8], [555.5, 49]];
@@ -163,7 +163,7 @@ visit("the radius of a body is found from the click, typed, refused, and found a
 
 visit("fixed marks are placed, and removed one by one", async (lab) => {
   await filmSimulation(lab, { seconds: "2" });
-  await lab.page.locator("#film-act-follow details").evaluate((fold) => (fold.open = true));
+  await unfoldStep(lab, "follow");
   await lab.page.locator("#film-still").click();
   for (const mark of RULER) await clickFilmed(lab, mark);
   await lab.page.locator("#film-leave").click();

@@ -48,9 +48,9 @@ for (const idle of [true, false]) {
   visit(`Film your own leads to the chooser of a film, ${idle ? "in the laboratory" : "before the laboratory is there"}`, { ...FIRST, idle }, async (lab) => {
     const chooser = lab.page.waitForEvent("filechooser");
     await lab.page.locator("#film-own").click();
-    assert.equal(await (await chooser).element().getAttribute("id"), "film-file");
+    assert.equal(await (await chooser).element().getAttribute("id"), "record-file");
     assert.equal(await lab.page.locator("#tab-measure").getAttribute("aria-selected"), "true");
-    await eventually(async () => assert.equal((await lab.focused()).id, "open-film"));
+    await eventually(async () => assert.equal((await lab.focused()).id, "choose-record"));
   });
 }
 

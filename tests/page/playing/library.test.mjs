@@ -1,4 +1,4 @@
-// The library: cards with pictures that move, found by words and by topics, with a mouse, by keys and with a finger.
+// The library: cards with pictures that move, found by words and by levels, with a mouse, by keys and with a finger.
 
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
@@ -35,8 +35,8 @@ async function moves(lab, title) {
 }
 
 for (const [language, words] of [
-  ["en-GB", { typed: "pendul", with: "The double pendulum", without: "The pendulum, small swings and large", chaos: "chaos", count: /^Simulations found: (\d+) \/ (\d+)(?: · theories: (\d+))?$/ }],
-  ["es-ES", { typed: "PENDULO", with: "El péndulo doble", without: "El péndulo, oscilaciones pequeñas y grandes", chaos: "caos", count: /^Simulaciones encontradas: (\d+) \/ (\d+)(?: · teorías: (\d+))?$/ }],
+  ["en-GB", { typed: "pendul", with: "The double pendulum", without: "The pendulum, small swings and large", chaos: "chaos", level: "Advanced", count: /^Simulations found: (\d+) \/ (\d+)(?: · theories: (\d+))?$/ }],
+  ["es-ES", { typed: "PENDULO", with: "El péndulo doble", without: "El péndulo, oscilaciones pequeñas y grandes", chaos: "caos", level: "Avanzado", count: /^Simulaciones encontradas: (\d+) \/ (\d+)(?: · teorías: (\d+))?$/ }],
 ]) {
   visit(`the library is searched by keyboard: ${language}`, { language }, async (lab) => {
     await lab.tabTo("#browse");
@@ -63,22 +63,22 @@ for (const [language, words] of [
     await lab.page.keyboard.type("xyz");
     await eventually(async () => assert.deepEqual(await titles(lab), []));
     await lab.page.locator("#library-search").fill("");
-    // By a topic, which every card found names.
-    await library(lab).getByRole("button", { name: words.chaos, exact: true }).focus();
+    // By a level, which every card found names.
+    await library(lab).getByRole("button", { name: words.level, exact: true }).focus();
     await lab.keys("Space");
     await eventually(async () => assert.ok((await titles(lab)).length < all));
-    for (const topics of await cards(lab).locator(".library-topics").allInnerTexts()) assert.ok(topics.split(" · ").includes(words.chaos), topics);
-    const chaotic = await titles(lab);
-    assert.ok(chaotic.includes(words.with) && !chaotic.includes(words.without));
+    for (const level of await cards(lab).locator(".library-level:visible").allInnerTexts()) assert.ok(level.endsWith(words.level), level);
+    const advanced = await titles(lab);
+    assert.ok(advanced.includes(words.with) && !advanced.includes(words.without));
     // Arrows go from card to card; Enter opens.
     await lab.keys("ArrowDown");
-    assert.equal((await lab.focused()).name, chaotic[0]);
+    assert.equal((await lab.focused()).name, advanced[0]);
     await lab.keys("ArrowRight", "ArrowRight", "ArrowLeft");
-    assert.equal((await lab.focused()).name, chaotic[1]);
+    assert.equal((await lab.focused()).name, advanced[1]);
     await lab.keys("Home", "ArrowUp");
     assert.equal((await lab.focused()).id, "library-search");
     await lab.keys("ArrowDown", "End");
-    const last = chaotic.at(-1);
+    const last = advanced.at(-1);
     assert.equal((await lab.focused()).name, last);
     await lab.keys("Enter");
     await eventually(async () => assert.equal(await heading(lab), last));

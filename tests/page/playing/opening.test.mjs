@@ -91,6 +91,28 @@ visit("the laboratory waits until nothing in the panel has the focus, and no mes
   assert.equal(await lab.told(), "");
 });
 
+/** The page is idle as often as the laboratory takes for all parts of its work, and more often. */
+async function restLong(lab) {
+  for (let times = 0; times < 30; times += 1) await lab.rest();
+}
+
+visit("the laboratory does not come while something is pressed, nor while a run plays that somebody has just touched", { file, idle: false }, async (lab) => {
+  await lab.press("Play");
+  await restLong(lab);
+  assert.equal(await waiting(lab), 5, "a run plays");
+  await lab.press("Pause");
+  await lab.page.locator("#clock").hover();
+  await lab.page.mouse.down();
+  await restLong(lab);
+  assert.equal(await waiting(lab), 5, "a pointer is down");
+  await lab.page.mouse.up();
+  await eventually(async () => {
+    await lab.rest();
+    assert.equal(await waiting(lab), 0);
+  });
+  assert.ok((await lab.time()) > 0);
+});
+
 visit("a button of the laboratory does what it says once the laboratory is there", { file, idle: false }, async (lab) => {
   await lab.page.locator("#browse").click();
   await lab.page.locator("dialog[open]").getByRole("searchbox").waitFor();

@@ -76,7 +76,7 @@ impl TrackerError {
             Self::NotAProject { .. } => language.say("open it in Tracker and save the tab with the film"),
             Self::Tabs { .. } => language.say("open them one by one"),
             Self::NoMass { film: false } | Self::OneFrame { film: false } => language.say("mark a point mass in several frames in Tracker and save the project; it names no film that can be tracked here"),
-            Self::NoMass { film: true } | Self::OneFrame { film: true } => language.say("mark a point mass in Tracker and save the project, or track its film: with Open film in the page, or with `meniscus track`"),
+            Self::NoMass { film: true } | Self::OneFrame { film: true } => language.say("mark a point mass in Tracker and save the project, or track its film: in the tab Measure of the page, or with `meniscus track`"),
             Self::Entities | Self::Damaged => language.say("open it in Tracker and save it again, or export the table there: File > Export > Data File"),
             Self::Protected => language.say("save it without a password"),
             Self::Expands { .. } | Self::TooLarge => language.say("export the table of one mass in Tracker: File > Export > Data File"),

@@ -23,7 +23,7 @@ impl Remark {
                     false => "",
                 };
                 times
-                    + &say!(language, "; the film{place}, `{film}`, has a time for each frame, which is better: track it, with Open film in the page or with `meniscus track`")
+                    + &say!(language, "; the film{place}, `{film}`, has a time for each frame, which is better: track it, in the tab Measure of the page or with `meniscus track`")
             }
             Self::ListedTimes { stretch } if *stretch == 1.0 => language.say("times are those that the project lists for the frames of its film").to_owned(),
             Self::ListedTimes { stretch } => {
@@ -35,7 +35,7 @@ impl Remark {
                 let numbers = language.say("the project does not state how long a frame lasts, and no duration is assumed: the first column is the number of \
                      the frame, and not a time").to_owned();
                 let remedy = match film {
-                    Some(film) => say!(language, "; the film, `{film}`, has a time for each frame: track it, with Open film in the page or with `meniscus track`"),
+                    Some(film) => say!(language, "; the film, `{film}`, has a time for each frame: track it, in the tab Measure of the page or with `meniscus track`"),
                     None => language.say("; set the frame rate in Tracker and save the project").to_owned(),
                 };
                 numbers + &remedy

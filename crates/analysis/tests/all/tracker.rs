@@ -56,7 +56,7 @@ masa A.x [cm]: 0.43301 0.68301 0.50000
 masa A.y [cm]: -0.25000 0.18301 0.86603
 2.x [cm]: · 0.00000 ·
 2.y [cm]: · 0.00000 ·
-- times are the frame number times a constant step of 40 ms, as the project states; the film, `videos/fall & rise.mp4`, has a time for each frame, which is better: track it, with Open film in the page or with `meniscus track`
+- times are the frame number times a constant step of 40 ms, as the project states; the film, `videos/fall & rise.mp4`, has a time for each frame, which is better: track it, in the tab Measure of the page or with `meniscus track`
 - the scale of the project is 200 px/cm; the origin is at the pixel (320.0; 240.0), the x axis at 30.00°; the project states no error of the scale, and errors of lengths in fits do not include it
 - Tracker shows positions relative to 2; those here are relative to the axes
 - masa A: 2 of 5 positions are key frames, marked by hand or confirmed; the autotracker found the others, or they were interpolated (autofill)

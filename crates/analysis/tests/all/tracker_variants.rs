@@ -45,7 +45,10 @@ y [px]: 10.00000 20.00000 25.00000
         "{found}"
     );
     let still = shown(&read(listed.replace("66.7,100.0,150.0,183.3", "0.0,0.0,0.0,0.0").into()), English);
-    assert!(still.starts_with("frame []: 1.00000 3.00000") && still.contains("with Open film in the page"), "{still}");
+    assert!(
+        still.starts_with("frame []: 1.00000 3.00000") && still.contains("in the tab Measure of the page"),
+        "{still}"
+    );
     // Without a video clip all marked frames are used, and there is no film.
     let unclipped = shown(&read(without(PIXELS, "videoclip").into()), Spanish);
     assert!(
@@ -85,10 +88,10 @@ fn a_set_of_tabs_names_its_files() {
 fn a_film_that_cannot_be_tracked_is_not_recommended() {
     let unmarked = |project: &str| project.replace("tracker.PointMass\"", "tracker.Vector\"");
     let hint = |project: &str| refused(&unmarked(project)).hint(English);
-    assert!(hint(FIXED).contains("track its film: with Open film in the page"));
+    assert!(hint(FIXED).contains("track its film: in the tab Measure of the page"));
     let gif = FIXED.replace("media.xuggle.XuggleVideo", "media.gif.GifVideo");
     for project in [PIXELS, &without(FIXED, "videoclip"), &gif] {
-        assert!(!hint(project).contains("track its film: with Open film in the page"), "{}", hint(project));
+        assert!(!hint(project).contains("track its film: in the tab Measure of the page"), "{}", hint(project));
     }
     let remarks = shown(&read(gif.into()), English);
     assert!(remarks.contains("constant step") && !remarks.contains("meniscus track"), "{remarks}");

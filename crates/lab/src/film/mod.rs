@@ -33,11 +33,12 @@ mod tracking;
 mod words;
 
 pub use access::Player;
-pub use filming::view as virtual_camera;
+pub use camera::button as camera_button;
+pub use filming::{button as virtual_camera_button, view as virtual_camera};
 pub use frames::look_at;
 pub use now::refresh;
 pub use opening::{is_film, mark_page, open};
 pub use project::open as open_of_project;
-pub use sample::{begin as see_measured, follow as follow_story};
+pub use sample::{begin as see_measured, follow as follow_story, open as open_sample};
 pub use signals::Films;
 pub use together::follow;

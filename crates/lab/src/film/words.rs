@@ -35,7 +35,6 @@ table_of_words! {
     pause: "Pause the film";
 
     // The sample film.
-    sample_film: "Sample film";
     story_film: "A tube, dyed water, a camera. The surface is being found in each frame.";
     story_curve: "While the liquid swings, its curve is drawn out of the surface.";
     story_theory: "The drawn tube swings, too, but not like the filmed one: its curve misses the points.";
@@ -71,7 +70,6 @@ table_of_words! {
     corner: "Corner";
 
     // The four steps.
-    open: "Open film";
     record_film: "Record film";
     stop_recording: "Stop recording";
     no_camera: "The browser gives no camera to this page: it was refused, or none is there";

@@ -65,7 +65,7 @@ fn contents(app: App) -> View {
     let all = own.chain(carried.into_iter().map(|entry| (entry, None)));
     let item = |(number, (entry, own)): (usize, (Entry, _))| Item { number, card: entry.card(language), entry, own };
     let items: Vec<Item> = all.enumerate().map(item).collect();
-    let search = Search::over(items.iter().map(|item| (&item.entry, &item.card)));
+    let search = Search::over(items.iter().map(|item| &item.entry));
     let pictures = Pictures::new(language);
     let (typing, scrolling) = (pictures.clone(), pictures.clone());
     let found = search.found();
@@ -127,18 +127,25 @@ fn field(app: App, search: &Search) -> HtmlDiv {
     div().class("library-field").child(label().r#for(SEARCH).child(words.library_search)).child(input)
 }
 
-/// Topic buttons. At most one topic limits the documents shown.
+/// Buttons of the levels. At most one limits the documents shown.
 fn chips(app: App, search: &Search) -> HtmlDiv {
-    let chosen = search.topic;
-    let chip = |name: &String| {
-        let (pressed, own) = (name.clone(), name.clone());
-        let is_chosen = move || chosen.with(|chosen| chosen.as_ref() == Some(&pressed)).to_string();
-        let choose = move |_| {
-            chosen.set(if chosen.with(|chosen| chosen.as_ref() == Some(&own)) { None } else { Some(own.clone()) })
-        };
-        button().class("chip").attr("aria-pressed", is_chosen).when(events::click, choose).child(name.clone())
+    let words = app.words();
+    let chosen = search.level;
+    let chip = |(level, name): (Option<Level>, String)| {
+        button()
+            .class("chip")
+            .attr("aria-pressed", move || (chosen.get() == level).to_string())
+            .when(events::click, move |_| chosen.set(level))
+            .child(name)
     };
-    div().class("chips").role("group").attr("aria-label", app.words().library_topics).each(&search.topics, chip)
+    let language = app.language.get_untracked();
+    let levels = Level::ALL.map(|level| (Some(level), level.words().text(language).into_owned()));
+    let all = (None, words.library_all_levels.to_owned());
+    div()
+        .class("chips")
+        .role("group")
+        .attr("aria-label", words.library_levels)
+        .each([all].into_iter().chain(levels), chip)
 }
 
 /// Cards below a title and what is `said` of them; hidden while none is found.

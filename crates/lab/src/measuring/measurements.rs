@@ -3,20 +3,20 @@
 
 use crate::app::App;
 use crate::measuring::intake::{self, refuse};
-use crate::{film, fit, library, measuring::cycles, measuring::records, measuring::virtual_form};
+use crate::{film, fit, library, measuring::cycles, measuring::files, measuring::records, measuring::virtual_form};
 use desk::SAMPLES;
+use view::browser;
 use view::panel::tabs;
 use view::views::*;
-use view::{browser, pieces::icons};
 use web_sys::{File, HtmlInputElement, HtmlTextAreaElement};
 
 /// Content of the tab.
 pub fn view(app: App) -> HtmlDiv {
-    let words = app.words();
     let has_records = memo(move || {
         app.records.track();
         app.read_desk(|desk| !desk.records().list().is_empty())
     });
+    let has_film = memo(move || app.films.open.get());
     div()
         .class("measurements")
         .child(film::acts::view(app))
@@ -31,21 +31,80 @@ pub fn view(app: App) -> HtmlDiv {
         .child(fit::view(app))
         .child(records::view(app))
         .child(cycles::view(app))
-        .child(changing(move || match has_records.get() {
-            true => h3().id("another-record").child(words.another_record).into(),
-            false => View::from(note(words.measurements_intro)),
-        }))
-        .child(ways_in(app))
-        .child(film::virtual_camera(app))
+        .child(changing(move || ways_in(app, has_records.get() || has_film.get())))
         .child(virtual_form::view(app))
+        .child(film::virtual_camera(app))
 }
 
-/// Inputs for records: a file, a pasted table.
-fn ways_in(app: App) -> View {
+/// Ways to a record: the sample film, a file, a sample, and folded all others.
+fn ways_in(app: App, has_begun: bool) -> View {
     let words = app.words();
     let mut input = input().r#type("file");
     let node: HtmlInputElement = input.node();
     let chosen = node.clone();
+    let read = move |_| {
+        if let Some(files) = chosen.files() {
+            files::open(app, &files);
+        }
+        chosen.set_value("");
+    };
+    let input = input
+        .id("record-file")
+        .hidden(true)
+        .multiple(true)
+        .attr("aria-label", words.choose_record)
+        .when(events::change, read);
+    let way = |id: &'static str, name: &'static str, about: String| {
+        button().class("way").id(id).child(strong().child(name)).child(span().child(about))
+    };
+    let mut samples: Vec<(usize, String)> = samples(app).into_iter().enumerate().collect();
+    let take = move |number: usize| move |_| sample(app, number);
+    let first = (!samples.is_empty()).then(|| samples.remove(0));
+    let ways = div()
+        .class("ways")
+        .child(
+            way("open-sample", words.sample_film, words.sample_film_about.to_owned())
+                .when(events::click, move |_| film::open_sample(app)),
+        )
+        .child(
+            way("choose-record", words.choose_record, words.choose_record_about.to_owned())
+                .when(events::click, move |_| node.click()),
+        )
+        .maybe(first.map(|(number, name)| {
+            way("sample-record", words.sample_record, name).title(words.sample_title).when(events::click, take(number))
+        }));
+    let chip =
+        |(number, name)| button().class("chip").title(words.sample_title).when(events::click, take(number)).child(name);
+    let further = (!samples.is_empty()).then(|| {
+        div()
+            .class("chips")
+            .role("group")
+            .attr("aria-label", words.sample_records)
+            .child(span().class("note").attr("aria-hidden", "true").child(words.sample_records))
+            .each(samples, chip)
+    });
+    let others = details()
+        .class("paste")
+        .id("other-ways")
+        .child(summary().child(words.other_ways))
+        .child(div().class("intake").child(film::camera_button(app)))
+        .maybe(further)
+        .child(pasted(app));
+    let title = if has_begun { words.another_record } else { words.measurements_title };
+    let intro = (!has_begun).then(|| note(words.measurements_intro));
+    View::from((
+        h3().id("another-record").child(title),
+        ways,
+        input,
+        film::acts::warning(app),
+        intro.map_or_else(View::new, View::from),
+        others,
+    ))
+}
+
+/// A table typed or pasted as text.
+fn pasted(app: App) -> HtmlDiv {
+    let words = app.words();
     let read = move |_| {
         if let Some(area) = browser::by_id::<HtmlTextAreaElement>("paste-record")
             && add(app, words.paste_name, area.value().as_bytes())
@@ -53,40 +112,16 @@ fn ways_in(app: App) -> View {
             area.set_value("");
         }
     };
-    let names =
-        app.read_desk(|desk| SAMPLES.each_ref().map(|sample| sample.name(desk.play().basis().language())).to_vec());
-    let choose = |(number, name): (usize, String)| {
-        button().class("chip").when(events::click, move |_| sample(app, number)).child(name)
-    };
-    let read_chosen = move |_| {
-        if let Some(files) = chosen.files() {
-            intake::read(app, (0..files.length()).filter_map(|index| files.get(index)).collect());
-        }
-        chosen.set_value("");
-    };
-    let open =
-        labelled(icons::folder(), words.choose_record).id("choose-record").when(events::click, move |_| node.click());
-    let input = input
-        .id("record-file")
-        .hidden(true)
-        .multiple(true)
-        .attr("aria-label", words.choose_record)
-        .when(events::change, read_chosen);
-    let samples = div()
-        .class("chips")
-        .hidden(!fits_samples(app))
-        .role("group")
-        .attr("aria-label", words.sample_records)
-        .title(words.sample_title)
-        .child(span().class("note").attr("aria-hidden", "true").child(words.sample_records))
-        .each(names.into_iter().enumerate(), choose);
-    let paste = details()
-        .class("paste")
-        .child(summary().child(words.paste_record))
+    div()
         .child(label().r#for("paste-record").child(words.paste_label))
         .child(textarea().id("paste-record").rows("6").attr("spellcheck", "false").autocomplete("off"))
-        .child(button().class("primary").id("read-record").when(events::click, read).child(words.read_record));
-    View::from((div().class("intake").child(film::acts::way_in(app)).child(open).child(input).child(samples), paste))
+        .child(button().class("primary").id("read-record").when(events::click, read).child(words.read_record))
+}
+
+/// Names of the sample records; none where they cannot be measurements of the document.
+fn samples(app: App) -> Vec<String> {
+    let names = || SAMPLES.each_ref().map(|sample| sample.name(app.language.get_untracked())).to_vec();
+    if fits_samples(app) { names() } else { Vec::new() }
 }
 
 /// True if the sample records, which are of liquid columns, can be measurements of the open document: of a document that the page

@@ -1,6 +1,7 @@
 //! Form of the virtual measurement.
 
 use crate::app::App;
+use crate::film;
 use desk::{MEASUREMENT_FIELDS, MeasurementForm, measurement_units};
 use view::views::*;
 
@@ -55,7 +56,14 @@ pub fn view(app: App) -> HtmlDiv {
         .id("virtual")
         .child(h3().child(words.virtual_measurement))
         .child(note(words.virtual_intro))
-        .child(button().class("primary").id("measure").when(events::click, measure).child(words.virtual_measure))
+        .child(
+            div()
+                .class("intake")
+                .child(
+                    button().class("primary").id("measure").when(events::click, measure).child(words.virtual_measure),
+                )
+                .child(film::virtual_camera_button(app)),
+        )
         .child(settings)
 }
 

@@ -11,11 +11,6 @@ use view::views::*;
 /// Ruler, and the less common settings.
 pub fn view(app: App) -> View {
     let words = words::of(app);
-    let scale = move || {
-        app.films
-            .now
-            .with(|now| now.as_ref().map(|now| now.scale(app.language.get_untracked().style())).unwrap_or_default())
-    };
     let take = move |field: Signal<String>, typed: String, apply: fn(App)| {
         field.set(typed);
         apply(app);
@@ -68,7 +63,6 @@ pub fn view(app: App) -> View {
         fields,
         why_refused("film-intervals", films.intervals_refused),
         refusal_of(films.lengths_refused).id("film-lengths-refused"),
-        p().class("film-scale").id("film-scale").role("status").child(text(scale)),
         changing(move || {
             if lacks_origin.get() { note(words.lacks_origin).id("film-lacks-origin").into() } else { View::new() }
         }),

@@ -24,12 +24,11 @@ pub fn view(app: App) -> View {
         .id("close-film")
         .when(events::click, move |_| {
             opening::close(app);
-            browser::focus("open-film");
+            browser::focus("choose-record");
         })
         .child(words.close);
-    let name = move || app.films.now.with(|now| now.as_ref().map(|now| now.name.clone()).unwrap_or_default());
     View::from((
-        p().child(strong().class("film-name").id("film-name").child(text(name))).child(" ").child(text(extent)),
+        p().child(text(extent)),
         changing(move || if recorded.get() { View::new() } else { notes::view(app) }),
         fold(words.times).id("film-times").child(factor(app)).child(part(app)),
         div().class("actions").child(close),

@@ -44,14 +44,14 @@ pub fn view(app: App) -> View {
 fn stage(app: App) -> HtmlSection {
     let words = app.words();
     let [picture, frames] = app.host().picture();
-    let aspect = aspect(app);
+    let (aspect, extent) = shape(app);
     let body = div()
         .class(match aspect {
             aspect if aspect > WIDE => "stage-body wide",
             aspect if aspect < SLIM && app.read(|play| play.grips().level().is_some()) => "stage-body slim",
             _ => "stage-body",
         })
-        .style(format!("--aspect:{aspect:.3}"))
+        .style(format!("--aspect:{aspect:.3};{extent}"))
         .child(picture)
         .child(scene(app))
         .child(plots::view(app))
@@ -74,11 +74,14 @@ const WIDE: f64 = 1.15;
 /// Aspect (width / height) below which a scene that is a scale of its plot has room beside it on a phone, too.
 const SLIM: f64 = 0.75;
 
-/// Aspect (width / height) of the scene's view box; 1 without a fixed one.
-fn aspect(app: App) -> f64 {
+/// Aspect (width / height) of the scene's view box, 1 without a fixed one; and its width and height as properties for the
+/// styles, which keep the texts of the drawing as large as those of the page.
+fn shape(app: App) -> (f64, String) {
     let language = app.language.get_untracked().tag();
     let size = app.read(|play| play.program().scene(language).and_then(program::Scene::size));
-    size.map_or(1.0, |[width, height]| width / height)
+    size.map_or((1.0, String::new()), |[width, height]| {
+        (width / height, format!("--scene-width:{width}px;--scene-height:{height}px"))
+    })
 }
 
 fn scene(app: App) -> HtmlSection {

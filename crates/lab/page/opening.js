@@ -120,17 +120,17 @@ const load = async () => {
 // Until the player has offered what it shows.
 let offered;
 const isOffered = new Promise((done) => (offered = done));
-let begun;
+let running;
 // Starts the laboratory. It makes its page part by part, beside what the player shows, and then takes that over.
 const begin = () => {
   compiled ??= load();
-  begun ??= compiled.then(async (module) => {
+  running ??= compiled.then(async (module) => {
     await Promise.all([firstFrame, isOffered, texts.load(`laboratory-texts-${document.documentElement.lang}`)]);
     await whenIdle(mayWork);
     if (!opening.give) listening.abort();
     return laboratory({ module_or_path: module });
   });
-  return begun.catch(failed);
+  return running.catch(failed);
 };
 // True once somebody waits for the laboratory.
 let isAwaited = false;
@@ -147,7 +147,9 @@ let touched = -Infinity;
 const on = (events, react) => events.forEach((event) => addEventListener(event, react, { signal: listening.signal, capture: true }));
 on(["pointerdown", "keydown"], () => (isPressed = true));
 on(["pointerdown", "pointerup", "keydown", "wheel"], () => (touched = performance.now()));
-on(["pointerup", "pointercancel", "keyup", "blur"], () => (isPressed = false));
+on(["pointerup", "pointercancel", "keyup"], () => (isPressed = false));
+// Of the window: a press takes the focus from an element, too.
+on(["blur"], ({ target }) => target === globalThis && (isPressed = false));
 on(["dragenter", "dragover", "drop"], (event) => {
   if (!event.dataTransfer?.types.includes("Files")) return;
   event.preventDefault();

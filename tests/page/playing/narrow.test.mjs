@@ -43,6 +43,20 @@ for (const name of ["charge", "logistic-map", "gas", "pendulum", "string", "kepl
   });
 }
 
+for (const [size, least, most] of [[PHONE, 12, 15], [TABLET, 14, 16], [{ width: 1440, height: 900 }, 14, 16]]) {
+  visit(`texts in drawings are as large as those of the page: ${size.width} px`, size, async (lab) => {
+    for (const name of ["tube", "projectile", "chain", "cooling", "inclined-plane"]) {
+      await open(lab, name);
+      const sizes = await lab.page.locator("#scene .drawing").evaluate((drawing) => {
+        const svg = drawing.shadowRoot.querySelector("svg");
+        const texts = [...svg.querySelectorAll("text")].filter((text) => text.getBoundingClientRect().width > 0);
+        return texts.map((text) => parseFloat(getComputedStyle(text).fontSize) * svg.getScreenCTM().a);
+      });
+      assert.ok(sizes.length > 1 && sizes.every((pixels) => pixels >= least && pixels <= most), `${name}: ${sizes}`);
+    }
+  });
+}
+
 for (const size of [PHONE, { width: 844, height: 390, touch: true }]) {
   visit(`on a phone scene and plot stay in sight while the panel is read: ${size.width} px`, size, async (lab) => {
     await lab.page.locator(".readouts").first().evaluate((values) => values.scrollIntoView({ block: "end", behavior: "instant" }));

@@ -93,8 +93,8 @@ export async function isRight(page, place = page, frames = SOME, film = swing) {
 
 /** The picture of a filmed simulation, and in that of the U-tube the surface in the left arm at the start and the ends of the ruler, which are 5 m apart. */
 const SIZE = [640, 360];
-export const SURFACE = [252, 167];
-export const RULER = [[566, 310], [566, 117]];
+export const SURFACE = [251, 165];
+export const RULER = [[566, 310], [566, 115]];
 
 /** Films the open simulation; `change` gives fields of the form other values. */
 export async function filmSimulation(lab, change = {}) {

@@ -34,7 +34,7 @@ visit("the U-tube is filmed, tracked and compared with the truth", async (lab) =
   assert.match(await lab.page.locator("#film-lacks-origin").innerText(), /choose Origin and click the height that is zero/);
   await lengths(/act now$/);
   await lab.page.locator("#film-set-origin").click();
-  await click(lab, [SURFACE[0], 186]);
+  await click(lab, [SURFACE[0], 184]);
   await lengths(/act done$/);
   assert.equal(await lab.page.locator("#film-lacks-origin").count(), 0);
   // Nothing of the truth is shown before somebody asks.
@@ -72,8 +72,8 @@ visit("the bob of the pendulum, by keyboard", async (lab) => {
     for (let left = near; left > 0; left -= 1) await lab.keys(steps < 0 ? back : on);
   };
   await lab.keys("Enter");
-  await walk(304 - 320, ["ArrowLeft", "ArrowRight"]);
-  await walk(166 - 180, ["ArrowUp", "ArrowDown"]);
+  await walk(329 - 320, ["ArrowLeft", "ArrowRight"]);
+  await walk(317 - 180, ["ArrowUp", "ArrowDown"]);
   await lab.keys("Enter");
   await tracked(lab);
   await lab.page.locator("#compare-truth").focus();

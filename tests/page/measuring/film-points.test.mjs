@@ -28,11 +28,11 @@ visit("a rectangle: corners in any order, moved and removed one by one", async (
   await tracked(lab);
   await unfoldStep(lab, "lengths");
   await lab.page.locator("#film-corners").click();
-  // A pixel of the picture is 1/38.63 m: the sides are those of a rectangle in the plane of the tube.
+  // A pixel of the picture is 1/38.96 m: the sides are those of a rectangle in the plane of the tube.
   const corners = [[170, 49], [170, 280.8], [555.5, 280.8], [555.5, 49]];
   for (const corner of corners) await clickFilmed(lab, corner);
-  await lab.page.locator("#film-width").fill("9.98 m");
-  await lab.page.locator("#film-height").fill("6 m");
+  await lab.page.locator("#film-width").fill("9.896 m");
+  await lab.page.locator("#film-height").fill("5.95 m");
   await lab.page.locator("#film-height").press("Enter");
   await eventually(async () => assert.match(await scale(lab), /%/));
   const fall = async () => (await values(lab, 0)).y - (await values(lab, 56)).y;
@@ -92,10 +92,10 @@ visit("two bodies", async (lab) => {
   await openTheory(lab, "Coupled oscillators");
   await filmSimulation(lab, { seconds: "3" });
   await lab.page.locator("#film-kind-body").click();
-  await clickFilmed(lab, [258, 110]);
+  await clickFilmed(lab, [236, 207]);
   await tracked(lab);
   await lab.page.getByRole("button", { name: "Another body", exact: true }).click();
-  await clickFilmed(lab, [321, 110]);
+  await clickFilmed(lab, [364, 207]);
   await eventually(async () => assert.match(await lab.page.locator("#film-values").innerText(), /x_2 =/), 60);
   await lab.page.locator("#compare-truth").click();
   const text = await lab.page.locator("#film-truth").innerText();
@@ -108,7 +108,7 @@ visit("the radius of a body is found from the click, typed, refused, and found a
   await filmSimulation(lab, { seconds: "2" });
   await lab.page.locator("#film-kind-body").click();
   assert.equal(await lab.page.locator("#film-radius").count(), 0);
-  await clickFilmed(lab, [258, 110]);
+  await clickFilmed(lab, [236, 207]);
   await tracked(lab);
   const field = lab.page.getByRole("textbox", { name: "Radius", exact: true });
   const find = lab.page.getByRole("button", { name: "Find from the click", exact: true });

@@ -90,12 +90,14 @@ visit("points by hand, one in each frame, and one of them is removed", async (la
 
 visit("two bodies", async (lab) => {
   await openTheory(lab, "Coupled oscillators");
+  // A body shows what it is by its motion: both move from the start.
+  await lab.press("In phase");
   await filmSimulation(lab, { seconds: "3" });
   await lab.page.locator("#film-kind-body").click();
-  await clickFilmed(lab, [236, 207]);
+  await clickFilmed(lab, [230, 207]);
   await tracked(lab);
   await lab.page.getByRole("button", { name: "Another body", exact: true }).click();
-  await clickFilmed(lab, [364, 207]);
+  await clickFilmed(lab, [398, 207]);
   await eventually(async () => assert.match(await lab.page.locator("#film-values").innerText(), /x_2 =/), 60);
   await lab.page.locator("#compare-truth").click();
   const text = await lab.page.locator("#film-truth").innerText();

@@ -41,6 +41,23 @@ fn symbols_have_their_dimension_and_value() {
         ("J", "kg m^2 s^-2", 1.0),
         ("kcal", "kg m^2 s^-2", 4184.0),
         ("eV", "kg m^2 s^-2", 1.602176634e-19),
+        ("Bq", "s^-1", 1.0),
+        ("MBq", "s^-1", 1e6),
+        ("mGy", "m^2 s^-2", 1e-3),
+        ("µSv/h", "m^2 s^-3", 1e-6 / 3600.0),
+        ("nkat", "s^-1 mol", 1e-9),
+        ("ly", "m", 9.4607304725808e15),
+        ("mph", "m s^-1", 0.44704),
+        ("psi", "kg m^-1 s^-2", 6894.757293168361),
+        ("kWh", "kg m^2 s^-2", 3.6e6),
+        ("mAh", "s A", 3.6),
+        ("ppm", "1", 1e-6),
+        ("dps", "s^-1", std::f64::consts::PI / 180.0),
+        ("J/(kg °C)", "m^2 s^-2 K^-1", 1.0),
+        ("W/(m^2 degC)", "kg s^-3 K^-1", 1.0),
+        ("°C/min", "s^-1 K", 1.0 / 60.0),
+        ("1/degF", "K^-1", 1.8),
+        ("K/degC", "1", 1.0),
         ("px", "px", 1.0),
         ("px/s", "s^-1 px", 1.0),
         ("W", "kg m^2 s^-3", 1.0),
@@ -173,21 +190,21 @@ fn what_is_refused_is_refused_with_the_reason() {
         ("meters", "unknown-unit", "meters", "there is no unit `meters`", Some("did you mean m?")),
         ("m/sec", "unknown-unit", "sec", "there is no unit `sec`", Some("did you mean s?")),
         ("Nm", "unknown-unit", "Nm", "there is no unit `Nm`", Some("did you mean N m?")),
-        ("kWh", "unknown-unit", "kWh", "there is no unit `kWh`", Some("did you mean kW h?")),
+        ("kVA", "unknown-unit", "kVA", "there is no unit `kVA`", Some("did you mean kV A?")),
         ("ohms", "unknown-unit", "ohms", "there is no unit `ohms`", Some("did you mean ohm?")),
         (
             "degC",
             "temperature-scale",
             "degC",
             "degC is a scale with a zero of its own, so it cannot be multiplied like a unit",
-            Some("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]"),
+            Some("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K], as in [J/(kg degC)]"),
         ),
         (
-            "W/(m ºC)",
+            "(ºC)",
             "temperature-scale",
-            "ºC",
+            "(ºC)",
             "°C is a scale with a zero of its own, so it cannot be multiplied like a unit",
-            Some("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]"),
+            Some("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K], as in [J/(kg degC)]"),
         ),
         (
             "J/kg K",
@@ -301,7 +318,7 @@ proptest! {
 /// Units that count cycles, each with its factor to cycles per second, and units that count angles, each with its
 /// factor to turns per second.
 const CYCLES: [(&str, f64); 5] = [("Hz", 1.0), ("kHz", 1e3), ("mHz", 1e-3), ("MHz", 1e6), ("(Hz^2)^(1/2)", 1.0)];
-const ANGLES: [(&str, f64); 8] = [
+const ANGLES: [(&str, f64); 9] = [
     ("rad/s", 1.0 / TAU),
     ("rad s^-1", 1.0 / TAU),
     ("mrad/s", 1e-3 / TAU),
@@ -310,6 +327,7 @@ const ANGLES: [(&str, f64); 8] = [
     ("°/s", 1.0 / 360.0),
     ("deg/min", 1.0 / 21_600.0),
     ("rpm", 1.0 / 60.0),
+    ("dps", 1.0 / 360.0),
 ];
 
 #[test]

@@ -15,6 +15,7 @@ mod cycles;
 mod derivatives;
 mod fit;
 mod fit_options;
+mod guide;
 mod handing;
 mod import;
 mod lsp;

@@ -8,6 +8,7 @@ use crate::authoring::arguments::{
 use crate::class::arguments::Class;
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
+use crate::mcp::arguments::{MCP_EXAMPLES, Mcp};
 use crate::sweep::arguments::{SWEEP_EXAMPLES, Sweep};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
 use analysis::import::DateOrder;
@@ -107,6 +108,9 @@ pub enum Command {
     /// Help editors with documents, as a language server on standard input and output
     #[command(after_help = LSP_EXAMPLES)]
     Lsp,
+    /// Give assistants tools for documents, as an MCP server on standard input and output
+    #[command(after_help = MCP_EXAMPLES)]
+    Mcp(Mcp),
     /// Print the language of documents in short
     #[command(after_help = GUIDE_EXAMPLES)]
     Guide,

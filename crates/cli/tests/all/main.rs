@@ -19,6 +19,7 @@ mod guide;
 mod handing;
 mod import;
 mod lsp;
+mod mcp;
 mod office;
 mod pages;
 mod projects;

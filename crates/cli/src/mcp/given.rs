@@ -1,15 +1,15 @@
 //! Arguments that several tools have.
 
 use super::answer::Refused;
-use rmcp::schemars::{self, JsonSchema};
+use rmcp::schemars::{self, JsonSchema, Schema, SchemaGenerator, json_schema};
 use runner::Settings;
 use runner::names::{Assignment, seat};
 use serde::Deserialize;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// A number in the declared unit, a text such as `20 [cm]`, or a truth.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[schemars(inline)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
 pub enum Given {
     /// A truth, of a switch.
@@ -18,6 +18,21 @@ pub enum Given {
     Number(f64),
     /// A text: a value with its unit in brackets, an expression, or a word.
     Text(String),
+}
+
+/// One line, because many arguments have it, and a client's model reads all of them.
+impl JsonSchema for Given {
+    fn schema_name() -> Cow<'static, str> {
+        "Given".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": ["number", "string", "boolean"] })
+    }
 }
 
 impl Given {

@@ -23,10 +23,22 @@ const FIRST_PLOTS: usize = 3;
 /// Width of a plot in its own units, and its height.
 const PLOT: (f64, f64) = (640.0, 360.0);
 
+/// Families for the texts of drawings, the first that is there.
+const FAMILIES: [&str; 7] =
+    ["DejaVu Sans", "Noto Sans", "Liberation Sans", "Segoe UI", "Helvetica Neue", "Helvetica", "Arial"];
+
 /// Fonts of this computer.
 static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     let mut fonts = fontdb::Database::new();
     fonts.load_system_fonts();
+    let has = |name: &&&str| fonts.faces().any(|face| face.families.iter().any(|(family, _)| family == **name));
+    let any = || fonts.faces().next().and_then(|face| Some(face.families.first()?.0.clone()));
+    // The families that drawings name in general, which need not be those that the library supposes.
+    if let Some(family) = FAMILIES.iter().find(has).map(|name| (*name).to_owned()).or_else(any) {
+        fonts.set_sans_serif_family(family.clone());
+        fonts.set_serif_family(family.clone());
+        fonts.set_monospace_family(family);
+    }
     Arc::new(fonts)
 });
 

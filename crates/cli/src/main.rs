@@ -2,7 +2,7 @@
 //!
 //! Each command is a module of its name: `run`, `check` (with `claims.rs` for `check --run`), `fitting`, `sweep`, `cycles`,
 //! `derivatives`, `track`, `authoring` (`new`, `import`, `format`), `export`, `site` (`build`), `serve`, `class`, `handing`,
-//! `lsp`. `build.rs` embeds the pages if they have been built.
+//! `lsp`, `guide`, `mcp`. `build.rs` embeds the pages if they have been built.
 //!
 //! - **Invariant:** no half-written files. Output goes to a temporary file, which then replaces the target.
 //! - **Invariant:** no computation of its own: what computes is in crates that Python or the page use, too.
@@ -18,9 +18,11 @@ mod derivatives;
 mod export;
 mod failure;
 mod fitting;
+mod guide;
 mod handing;
 mod load;
 mod lsp;
+mod mcp;
 mod page;
 mod run;
 mod serve;
@@ -64,6 +66,8 @@ fn main() -> ExitCode {
         Command::Import(import) => authoring::import(import, terminal),
         Command::Format(format) => authoring::format(format, terminal),
         Command::Lsp => lsp::serve(terminal.language),
+        Command::Mcp(mcp) => mcp::serve(mcp, terminal.language),
+        Command::Guide => guide::guide(),
         Command::Build(build) => site::build(build, terminal),
     };
     match result {

@@ -390,6 +390,7 @@ pub fn dimension_error(
     Diagnostic::error("dimension-mismatch", message, found.0)
         .saying(describe(found.1))
         .with_label(expected.0, describe(expected.1))
+        .of_dimensions(found.1, expected.1)
 }
 
 /// [`dimension_error`] at one place, with a note about the dimension expected.

@@ -4,7 +4,7 @@
 //! A diagnostic has a code, a message, places, reasons and remedies. Terminal, JSON and page render the same value.
 
 use std::ops::Range;
-use units::{UnitError, Words, words};
+use units::{Dimension, UnitError, Words, words};
 
 /// A range of bytes in the document's source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -107,6 +107,8 @@ pub struct Diagnostic {
     pub hints: Vec<Words>,
     /// Remedies that an editor can apply.
     pub fixes: Vec<Fix>,
+    /// The dimension found at the primary place, and the one needed there; of a mismatch between known dimensions only.
+    pub dimensions: Option<[Dimension; 2]>,
 }
 
 impl Diagnostic {
@@ -122,7 +124,8 @@ impl Diagnostic {
 
     fn new(severity: Severity, code: &'static str, message: Words, span: Span) -> Self {
         let labels = vec![Label { span, text: Words::default() }];
-        Self { severity, code, message, labels, notes: Vec::new(), hints: Vec::new(), fixes: Vec::new() }
+        let (notes, hints, fixes) = (Vec::new(), Vec::new(), Vec::new());
+        Self { severity, code, message, labels, notes, hints, fixes, dimensions: None }
     }
 
     /// Diagnostic for a unit whose text begins at byte `start`, inside the brackets at `brackets`.
@@ -142,6 +145,12 @@ impl Diagnostic {
         if let Some(label) = self.labels.first_mut() {
             label.text = text;
         }
+        self
+    }
+
+    /// States the dimension that was found and the one that is needed.
+    pub fn of_dimensions(mut self, found: Dimension, needed: Dimension) -> Self {
+        self.dimensions = Some([found, needed]);
         self
     }
 

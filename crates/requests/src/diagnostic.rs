@@ -1,8 +1,7 @@
 //! Diagnostics with all texts in English.
 
-use crate::keywords::in_keywords;
 use model::Severity;
-use runner::Sources;
+use runner::{Sources, in_keywords};
 use serde::Serialize;
 use units::{Language, Words};
 

@@ -1,11 +1,10 @@
 //! Errors of requests, named by the Python exceptions that they become.
 
 use crate::diagnostic::Diagnostic;
-use crate::keywords::in_keywords;
 use crate::reply::Reply;
 use document::Document;
 use model::Severity;
-use runner::{Loaded, Refusal, Sources, place};
+use runner::{Loaded, Refusal, Sources, in_keywords, place};
 use serde::{Deserialize, Serialize};
 
 /// Reason why a request is not fulfilled.

@@ -98,7 +98,7 @@ pub fn fit(host: &dyn Host, opened: &Opened, request: &str, numbers: &[Vec<f64>]
     let mut theory = opened.theory().clone();
     let data = records(host, &data, numbers, (std::slice::from_mut(&mut theory), &settings))?;
     let task = task(&mut theory.document, &data, &settings, &mut |_| {})?;
-    let fitted = Fitted::complete(theory, task, profile, &mut |_| {})?;
+    let fitted = Fitted::complete(theory, task, profile, &mut |_| true)?;
     let mut buffers = Vec::new();
     let answer = Answer::new(fit_as_json(&fitted, &data), &fitted, &data, &mut buffers);
     Ok(Reply::with_buffers(&answer, buffers)?)

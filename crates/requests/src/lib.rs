@@ -15,7 +15,6 @@ mod diagnostic;
 mod fault;
 mod fitting;
 mod host;
-mod keywords;
 mod opened;
 mod prepared;
 mod ranking;

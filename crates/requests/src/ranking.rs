@@ -27,7 +27,7 @@ pub fn rank(host: &dyn Host, documents: &[&Opened], request: &str, numbers: &[Ve
     let data = records(host, &data, numbers, (&mut theories, &settings))?;
     let contend = |theory: Theory| {
         let asked = (&settings, predict_from.as_deref());
-        Contender::complete(theory, &data, asked, &mut |_| {}, &mut |_| {})
+        Contender::complete(theory, &data, asked, &mut |_| {}, &mut |_| true)
     };
     let contenders: Vec<Contender> = theories.into_iter().map(contend).collect::<Result<_, _>>()?;
     let outcomes: Vec<&Outcome> = contenders.iter().map(|one| &one.fitted.outcome).collect();

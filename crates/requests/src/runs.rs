@@ -3,14 +3,13 @@
 use crate::diagnostic::Diagnostic;
 use crate::fault::{Fault, read, run_diagnostic};
 use crate::host::Host;
-use crate::keywords::in_keywords;
 use crate::opened::Opened;
 use crate::reply::Reply;
 use crate::settings::{Asked, Prepared};
 use crate::table;
 use engine::{Run, Subject};
 use runner::fitting::Theory;
-use runner::place;
+use runner::{in_keywords, place};
 use serde::Deserialize;
 
 /// Steps of a run after which the host is asked whether it goes on.
@@ -46,8 +45,9 @@ pub fn run(host: &dyn Host, opened: &Opened, request: &str) -> Result<Reply, Fau
     }
     let steps = runner::steps(&run, until)?;
     let failure = runner::follow(&mut run, (steps, until), |history, rows, done| {
+        let rows_taken = rows.len();
         table.take(&mut reader, history, rows);
-        if done % STEPS == 0 && !host.goes_on() { Err(Fault::Interrupted) } else { Ok(()) }
+        if (rows_taken == 0 || done % STEPS == 0) && !host.goes_on() { Err(Fault::Interrupted) } else { Ok(()) }
     })?;
     let notices = run.notices().into_iter().map(|notice| {
         let span = place(&document, notice.subject().unwrap_or(Subject::State(0))).unwrap_or_default();

@@ -2,12 +2,15 @@
 
 use crate::refusal::Refusal;
 use document::Document;
-use engine::{History, Run, RunError, Subject};
+use engine::{Advance, History, Run, RunError, Subject};
 use model::Span;
 use std::ops::Range;
 
 /// Size in bytes of the history at which rows, which have been taken, are dropped: the length of a run is not limited by memory.
 const HISTORY: usize = 1 << 20;
+
+/// Work in floating-point operations after which `take` is asked within a step: some tens of milliseconds.
+const WORK: u64 = 50_000_000;
 
 /// Number of whole steps of a run between 0 and `until` (SI), tolerant to rounding.
 ///
@@ -21,7 +24,7 @@ pub fn steps(run: &Run, until: f64) -> Result<u64, Refusal> {
 }
 
 /// Makes `steps` steps and the events up to `until` (SI). `take` gets the rows of the history that are new after each step, with
-/// the number of steps so far, first the row of the start. Returns the error that ended the run, if any.
+/// the number of steps so far, first the row of the start; within a long step it gets no rows from time to time. Returns the error that ended the run, if any.
 ///
 /// # Errors
 /// The errors of `take`.
@@ -36,7 +39,12 @@ pub fn follow<E>(
             run.forget();
         }
         let taken = run.history().len();
-        let outcome = run.advance();
+        let outcome = loop {
+            match run.advance_within(WORK) {
+                Ok(Advance::Partial) => take(run.history(), taken..taken, done)?,
+                outcome => break outcome,
+            }
+        };
         take(run.history(), taken..run.history().len(), done + 1)?;
         if let Err(error) = outcome {
             return Ok(Some(error));

@@ -3,6 +3,7 @@
 use crate::names::Assignment;
 use crate::refusal::{Refusal, listed};
 use document::Document;
+use engine::checks::assign;
 use engine::{Press, Readings};
 use model::Compiler;
 use program::{Compiled, Kind, Model, Parameter};
@@ -169,12 +170,10 @@ pub fn apply_preset(document: &Document, name: &str, parameters: &mut [f64]) -> 
             document.program.presets.iter().map(|preset| preset.name.as_str()),
         ));
     };
-    let nodes: Vec<_> = preset.values.iter().map(|assignment| assignment.value.node).collect();
-    let zeros = vec![0.0; document.program.model.states.len()];
-    let values = Readings::new(&document.program.model, &nodes).at(parameters, &zeros, 0.0, &zeros).to_vec();
-    for (assignment, value) in preset.values.iter().zip(values) {
-        within_range(&document.program.model.parameters[assignment.parameter], value)?;
-        parameters[assignment.parameter] = value;
+    let model = &document.program.model;
+    for assignment in &preset.values {
+        assign(model, parameters, std::slice::from_ref(assignment));
+        within_range(&model.parameters[assignment.parameter], parameters[assignment.parameter])?;
     }
     Ok(())
 }

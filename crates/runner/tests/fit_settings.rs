@@ -51,7 +51,7 @@ fn asked(theory: &mut Theory, text: &str, settings: &FitSettings) -> Result<FitT
 fn fitted(theory: &Theory, text: &str, settings: &FitSettings) -> Fitted {
     let mut theory = theory.clone();
     let task = asked(&mut theory, text, settings).unwrap();
-    Fitted::complete(theory, task, false, &mut |_| {}).unwrap()
+    Fitted::complete(theory, task, false, &mut |_| true).unwrap()
 }
 
 fn message(refusal: &Refusal) -> String {

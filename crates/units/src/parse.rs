@@ -11,7 +11,7 @@
 
 use crate::scale::Scale;
 use crate::turns::Turns;
-use crate::unit_error::{error, hinting, too_high, unknown};
+use crate::unit_error::{error, hinting, temperature_scale, too_high, unknown};
 use crate::{Dimension, Exponent, UnitError, table, words};
 use std::ops::Range;
 
@@ -30,6 +30,9 @@ pub(crate) fn parse(text: &str) -> Result<(Dimension, (f64, f64), Turns, String)
     if reader.at < text.len() {
         return Err(reader.unexpected());
     }
+    if part.has_own_zero {
+        return Err(temperature_scale(&part.text, part.range));
+    }
     let (multiplier, divisor) = part.scale.quotient();
     let factor = multiplier / divisor;
     if !factor.is_normal() || !multiplier.is_finite() {
@@ -46,6 +49,8 @@ struct Part {
     turns: Turns,
     text: String,
     range: Range<usize>,
+    /// True for a temperature scale alone, whose zero is not that of the kelvin.
+    has_own_zero: bool,
 }
 
 struct Reader<'a> {
@@ -146,7 +151,8 @@ impl<'a> Reader<'a> {
         let below_text = grouped(below.text, &[' ', '/']);
         let scale = above.scale.times(below.scale.power(Exponent::from(-1)));
         let turns = above.turns.times(below.turns, -1.0);
-        Ok(Part { dimension, scale, turns, text: format!("{}/{below_text}", above.text), range })
+        let text = format!("{}/{below_text}", above.text);
+        Ok(Part { dimension, scale, turns, text, range, has_own_zero: false })
     }
 
     fn product(&mut self, depth: usize) -> Result<Part, UnitError> {
@@ -165,7 +171,8 @@ impl<'a> Reader<'a> {
                 _ => format!("{} {}", grouped(product.text, &['/']), grouped(factor.text, &['/'])),
             };
             let turns = product.turns.times(factor.turns, 1.0);
-            product = Part { dimension, scale: product.scale.times(factor.scale), turns, text, range };
+            let scale = product.scale.times(factor.scale);
+            product = Part { dimension, scale, turns, text, range, has_own_zero: false };
         }
     }
 
@@ -202,7 +209,7 @@ impl<'a> Reader<'a> {
         {
             self.at += 1;
             let (dimension, scale, turns) = (Dimension::NONE, Scale::ONE, Turns::NONE);
-            Part { dimension, scale, turns, text: "1".to_owned(), range: start..self.at }
+            Part { dimension, scale, turns, text: "1".to_owned(), range: start..self.at, has_own_zero: false }
         } else {
             self.symbol()?
         };
@@ -213,7 +220,7 @@ impl<'a> Reader<'a> {
             let base = grouped(part.text, &[' ', '/', '^']);
             let text = if base == "1" { base } else { exponent.power_of(&base) };
             let (scale, turns) = (part.scale.power(exponent), Turns::NONE.times(part.turns, exponent.to_number()));
-            part = Part { dimension, scale, turns, text, range: start..self.at };
+            part = Part { dimension, scale, turns, text, range: start..self.at, has_own_zero: false };
         }
         part.range = start..self.at;
         Ok(part)
@@ -239,7 +246,12 @@ impl<'a> Reader<'a> {
         let text: String = written.chars().map(alike).collect();
         if let Some((symbol, tens)) = table::find(&text) {
             let scale = symbol.scale.times(Scale::decimal(1, tens));
-            return Ok(Part { dimension: symbol.dimension(), scale, turns: symbol.turns(), text, range });
+            let (dimension, turns) = (symbol.dimension(), symbol.turns());
+            return Ok(Part { dimension, scale, turns, text, range, has_own_zero: false });
+        }
+        if let Some(scale) = table::degree(&text) {
+            let dimension = Dimension::from_whole([0, 0, 0, 0, 1, 0, 0]);
+            return Ok(Part { dimension, scale, turns: Turns::NONE, text, range, has_own_zero: true });
         }
         Err(unknown(&text, range))
     }
@@ -269,7 +281,7 @@ impl<'a> Reader<'a> {
             let digits: &str =
                 &self.rest()[..self.rest().find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest().len())];
             self.at += digits.len();
-            if digits.is_empty() {
+            if digits.is_empty() || self.peek() == Some('.') {
                 let end = self.at + self.peek().map_or(0, char::len_utf8);
                 let wrong = error(
                     "malformed-unit",

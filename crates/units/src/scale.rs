@@ -21,6 +21,11 @@ impl Scale {
         Self { numerator: digits as u128, denominator: 1, tens, rest: 1.0 }
     }
 
+    /// The number `numerator / denominator`.
+    pub(crate) const fn fraction(numerator: u64, denominator: u64) -> Self {
+        Self { numerator: numerator as u128, denominator: denominator as u128, tens: 0, rest: 1.0 }
+    }
+
     /// The number `rest * numerator / denominator`.
     pub(crate) const fn irrational(rest: f64, numerator: u64, denominator: u64) -> Self {
         Self { numerator: numerator as u128, denominator: denominator as u128, tens: 0, rest }

@@ -18,7 +18,7 @@ pub(crate) struct Symbol {
 const CYCLES: [&str; 1] = ["Hz"];
 
 /// Symbols that count angles.
-const ANGLES: [&str; 4] = ["rad", "deg", "°", "rpm"];
+const ANGLES: [&str; 5] = ["rad", "deg", "°", "rpm", "dps"];
 
 impl Symbol {
     pub(crate) fn dimension(&self) -> Dimension {
@@ -48,8 +48,9 @@ const fn symbol(text: &'static str, exponents: [i8; 7], scale: Scale, prefixes: 
 }
 
 /// Values of units outside the SI: SI brochure, 9th edition (2019), table 8, and ISO 80000; thermochemical calorie,
-/// conventional millimetre of mercury, Julian year of 365.25 days. A revolution per minute is an angular velocity, 2 pi rad
-/// in 60 s.
+/// conventional millimetre of mercury, Julian year of 365.25 days, and the light-year made of it (IAU). A revolution per minute is an
+/// angular velocity, 2 pi rad in 60 s. The pound-force of psi is 0.453 592 37 kg times 9.806 65 m/s^2, the mile of mph 1609.344 m (NIST
+/// SP 811, 2008, appendix B).
 #[rustfmt::skip]
 const SYMBOLS: &[Symbol] = &[
     symbol("m",   [0, 1, 0, 0, 0, 0, 0], Scale::ONE, true),
@@ -73,10 +74,15 @@ const SYMBOLS: &[Symbol] = &[
     symbol("Wb",  [1, 2, -2, -1, 0, 0, 0], Scale::ONE, true),
     symbol("T",   [1, 0, -2, -1, 0, 0, 0], Scale::ONE, true),
     symbol("H",   [1, 2, -2, -2, 0, 0, 0], Scale::ONE, true),
+    symbol("Bq",  [0, 0, -1, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("Gy",  [0, 2, -2, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("Sv",  [0, 2, -2, 0, 0, 0, 0], Scale::ONE, true),
+    symbol("kat", [0, 0, -1, 0, 0, 1, 0], Scale::ONE, true),
     symbol("rad", [0; 7], Scale::ONE, true),
     symbol("deg", [0; 7], Scale::irrational(PI, 1, 180), false),
     symbol("°",   [0; 7], Scale::irrational(PI, 1, 180), false),
     symbol("%",   [0; 7], Scale::decimal(1, -2), false),
+    symbol("ppm", [0; 7], Scale::decimal(1, -6), false),
     symbol("min", [0, 0, 1, 0, 0, 0, 0], Scale::decimal(60, 0), false),
     symbol("h",   [0, 0, 1, 0, 0, 0, 0], Scale::decimal(3600, 0), false),
     symbol("d",   [0, 0, 1, 0, 0, 0, 0], Scale::decimal(86_400, 0), false),
@@ -84,6 +90,9 @@ const SYMBOLS: &[Symbol] = &[
     symbol("yr",  [0, 0, 1, 0, 0, 0, 0], Scale::decimal(31_557_600, 0), false),
     symbol("year", [0, 0, 1, 0, 0, 0, 0], Scale::decimal(31_557_600, 0), false),
     symbol("rpm", [0, 0, -1, 0, 0, 0, 0], Scale::irrational(PI, 1, 30), false),
+    symbol("dps", [0, 0, -1, 0, 0, 0, 0], Scale::irrational(PI, 1, 180), true),
+    symbol("mph", [0, 1, -1, 0, 0, 0, 0], Scale::decimal(44_704, -5), false),
+    symbol("ly",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(9_460_730_472_580_800, 0), true),
     symbol("au",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(149_597_870_700, 0), false),
     symbol("u",   [1, 0, 0, 0, 0, 0, 0], Scale::decimal(166_053_906_660, -38), false),
     symbol("M",   [0, -3, 0, 0, 0, 1, 0], Scale::decimal(1, 3), true),
@@ -93,11 +102,14 @@ const SYMBOLS: &[Symbol] = &[
     symbol("Å",   [0, 1, 0, 0, 0, 0, 0], Scale::decimal(1, -10), false),
     symbol("bar", [1, -1, -2, 0, 0, 0, 0], Scale::decimal(1, 5), true),
     symbol("atm", [1, -1, -2, 0, 0, 0, 0], Scale::decimal(101_325, 0), false),
+    symbol("psi", [1, -1, -2, 0, 0, 0, 0], Scale::fraction(44_482_216_152_605, 6_451_600_000), false),
     symbol("mmHg", [1, -1, -2, 0, 0, 0, 0], Scale::decimal(133_322_387_415, -9), false),
     symbol("P",   [1, -1, -1, 0, 0, 0, 0], Scale::decimal(1, -1), true),
     symbol("St",  [0, 2, -1, 0, 0, 0, 0], Scale::decimal(1, -4), true),
     symbol("dyn", [1, 1, -2, 0, 0, 0, 0], Scale::decimal(1, -5), false),
     symbol("erg", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1, -7), false),
+    symbol("Wh",  [1, 2, -2, 0, 0, 0, 0], Scale::decimal(3600, 0), true),
+    symbol("Ah",  [0, 0, 1, 1, 0, 0, 0], Scale::decimal(3600, 0), true),
     symbol("cal", [1, 2, -2, 0, 0, 0, 0], Scale::decimal(4184, -3), true),
     symbol("in",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(254, -4), false),
     symbol("ft",  [0, 1, 0, 0, 0, 0, 0], Scale::decimal(3048, -4), false),
@@ -106,6 +118,17 @@ const SYMBOLS: &[Symbol] = &[
     symbol("G",   [1, 0, -2, -1, 0, 0, 0], Scale::decimal(1, -4), true),
     symbol("eV",  [1, 2, -2, 0, 0, 0, 0], Scale::decimal(1_602_176_634, -28), true),
     Symbol { text: "px", dimension: Base::Pixel, scale: Scale::ONE, prefixes: false },
+];
+
+/// Symbols of temperature scales with a zero of their own, and the size of their degree in kelvin. They are units only where a
+/// difference must be meant: in a product, a quotient or a power.
+const DEGREES: &[(&str, Scale)] = &[
+    ("degC", Scale::ONE),
+    ("°C", Scale::ONE),
+    ("℃", Scale::ONE),
+    ("degF", Scale::fraction(5, 9)),
+    ("°F", Scale::fraction(5, 9)),
+    ("℉", Scale::fraction(5, 9)),
 ];
 
 /// Prefixes and their powers of ten; `da` precedes `d` so that the longer one is tried first.
@@ -225,6 +248,11 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("lumen", "lm"),
     ("lux", "lx"),
     ("gauss", "G"),
+    ("becquerel", "Bq"),
+    ("gray", "Gy"),
+    ("sievert", "Sv"),
+    ("katal", "kat"),
+    ("lightyear", "ly"),
 ];
 
 /// The symbol of `text` and the power of ten of its prefix. A symbol without prefix takes precedence: `min` is a minute,
@@ -238,6 +266,11 @@ pub(crate) fn find(text: &str) -> Option<(&'static Symbol, i32)> {
         let symbol = SYMBOLS.iter().find(|symbol| symbol.prefixes && symbol.text == rest)?;
         Some((symbol, *tens))
     })
+}
+
+/// Size of a degree of a temperature scale in kelvin; `None` for another text.
+pub(crate) fn degree(text: &str) -> Option<Scale> {
+    DEGREES.iter().find(|(known, _)| *known == text).map(|(_, scale)| *scale)
 }
 
 /// The unit probably meant by an unknown `text`, if any.
@@ -260,7 +293,7 @@ pub(crate) fn near(text: &str) -> Option<String> {
     alike(&["", "k", "c", "m", "h"]).or_else(|| together(text)).or_else(|| alike(&["µ", "M", "n", "G"]))
 }
 
-/// Splits joined symbols: `N m` for `Nm`, `Pa s` for `Pas`, `kW h` for `kWh`.
+/// Splits joined symbols: `N m` for `Nm`, `Pa s` for `Pas`, `kV A` for `kVA`.
 fn together(text: &str) -> Option<String> {
     let usual = |part: &str| find(part).is_some_and(|(_, tens)| matches!(tens, 0 | 3));
     text.char_indices().skip(1).find_map(|(at, _)| {

@@ -44,17 +44,22 @@ pub(crate) fn too_high(range: Range<usize>) -> UnitError {
     error("malformed-unit", range, words("an exponent of this unit is too large"))
 }
 
+/// Error of a temperature scale in the place of a unit. In a product or quotient it is one of differences.
+pub(crate) fn temperature_scale(text: &str, range: Range<usize>) -> UnitError {
+    hinting(
+        error(
+            "temperature-scale",
+            range,
+            words!("{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"),
+        ),
+        words("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K], as in [J/(kg degC)]"),
+    )
+}
+
 /// Error of an unknown symbol, with a suggestion if one is similar.
 pub(crate) fn unknown(text: &str, range: Range<usize>) -> UnitError {
-    if matches!(text, "degC" | "°C" | "℃" | "degF" | "°F" | "℉") || text.eq_ignore_ascii_case("celsius") {
-        return hinting(
-            error(
-                "temperature-scale",
-                range,
-                words!("{text} is a scale with a zero of its own, so it cannot be multiplied like a unit"),
-            ),
-            words("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]"),
-        );
+    if text.eq_ignore_ascii_case("celsius") {
+        return temperature_scale(text, range);
     }
     let wrong = error("unknown-unit", range, words!("there is no unit `{text}`"));
     match table::near(text) {

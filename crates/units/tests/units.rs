@@ -173,21 +173,25 @@ fn what_is_refused_is_refused_with_the_reason() {
         ("meters", "unknown-unit", "meters", "there is no unit `meters`", Some("did you mean m?")),
         ("m/sec", "unknown-unit", "sec", "there is no unit `sec`", Some("did you mean s?")),
         ("Nm", "unknown-unit", "Nm", "there is no unit `Nm`", Some("did you mean N m?")),
-        ("kWh", "unknown-unit", "kWh", "there is no unit `kWh`", Some("did you mean kW h?")),
+        ("kVA", "unknown-unit", "kVA", "there is no unit `kVA`", Some("did you mean kV A?")),
         ("ohms", "unknown-unit", "ohms", "there is no unit `ohms`", Some("did you mean ohm?")),
         (
             "degC",
             "temperature-scale",
             "degC",
             "degC is a scale with a zero of its own, so it cannot be multiplied like a unit",
-            Some("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]"),
+            Some(
+                "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K], as in [J/(kg degC)]",
+            ),
         ),
         (
-            "W/(m ºC)",
+            "(ºC)",
             "temperature-scale",
-            "ºC",
+            "(ºC)",
             "°C is a scale with a zero of its own, so it cannot be multiplied like a unit",
-            Some("give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K]"),
+            Some(
+                "give temperatures in [K] (20 degC is 293.15 [K]); a difference of 1 degC is 1 [K], as in [J/(kg degC)]",
+            ),
         ),
         (
             "J/kg K",
@@ -301,7 +305,7 @@ proptest! {
 /// Units that count cycles, each with its factor to cycles per second, and units that count angles, each with its
 /// factor to turns per second.
 const CYCLES: [(&str, f64); 5] = [("Hz", 1.0), ("kHz", 1e3), ("mHz", 1e-3), ("MHz", 1e6), ("(Hz^2)^(1/2)", 1.0)];
-const ANGLES: [(&str, f64); 8] = [
+const ANGLES: [(&str, f64); 9] = [
     ("rad/s", 1.0 / TAU),
     ("rad s^-1", 1.0 / TAU),
     ("mrad/s", 1e-3 / TAU),
@@ -310,6 +314,7 @@ const ANGLES: [(&str, f64); 8] = [
     ("°/s", 1.0 / 360.0),
     ("deg/min", 1.0 / 21_600.0),
     ("rpm", 1.0 / 60.0),
+    ("dps", 1.0 / 360.0),
 ];
 
 #[test]

@@ -55,6 +55,7 @@ const ARROWS: [(&str, &[&str]); 32] = [
             "figure",
             "film",
             "model",
+            "play",
             "program",
             "report",
             "runner",

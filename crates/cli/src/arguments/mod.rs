@@ -8,6 +8,7 @@ use crate::authoring::arguments::{
 use crate::class::arguments::Class;
 use crate::fitting::arguments::{FIT_EXAMPLES, Fit, RANK_EXAMPLES, Rank};
 use crate::handing::arguments::{HAND_IN_EXAMPLES, HandIn, VERIFY_EXAMPLES, Verify};
+use crate::mcp::arguments::{MCP_EXAMPLES, Mcp};
 use crate::sweep::arguments::{SWEEP_EXAMPLES, Sweep};
 use crate::track::arguments::{TRACK_EXAMPLES, Track};
 use analysis::import::DateOrder;
@@ -107,6 +108,12 @@ pub enum Command {
     /// Help editors with documents, as a language server on standard input and output
     #[command(after_help = LSP_EXAMPLES)]
     Lsp,
+    /// Give assistants tools for documents, as an MCP server on standard input and output
+    #[command(after_help = MCP_EXAMPLES)]
+    Mcp(Mcp),
+    /// Print the language of documents in short
+    #[command(after_help = GUIDE_EXAMPLES)]
+    Guide,
     /// Make a web site of all documents in a folder, for any host
     #[command(after_help = BUILD_EXAMPLES)]
     Build(Build),
@@ -195,6 +202,12 @@ Example (Helix, languages.toml):
   command = \"meniscus\"
   args = [\"lsp\"]";
 
+const GUIDE_EXAMPLES: &str = "\
+Examples:
+  meniscus guide > guide.md      for an assistant that writes a document
+
+It consists of parts of docs/language.md, which says everything.";
+
 const CHECK_EXAMPLES: &str = "\
 Examples:
   meniscus check simulations/utube.md            for people
@@ -205,7 +218,8 @@ With --run each document without errors is run for its claims, and each claim ge
 value and when that was. In JSON a claim that does not hold is a finding of the code check-failed.
 
 JSON is one array of findings: file, severity (error or warning), code (stable), message, line and column (from 1, in
-characters), end (the line and column after the place), labels (further places, with their words), notes and hints.";
+characters), end (the line and column after the place), labels (further places, with their words), notes, hints, dimensions (found and
+needed, of a mismatch) and fixes (a title, and edits of the text from line and column to end).";
 
 /// `meniscus check`
 #[derive(Debug, Args)]

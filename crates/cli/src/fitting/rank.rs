@@ -36,7 +36,10 @@ pub fn rank(arguments: &Arguments, terminal: Terminal) -> Result<(), Failure> {
     let contend = |theory: Theory| {
         let progress = theory::progress(&theory.document.program.title);
         let asked = (&settings, arguments.predict_from.as_deref());
-        let mut shown = |trials| progress.set_position(trials as u64);
+        let mut shown = |trials| {
+            progress.set_position(trials as u64);
+            true
+        };
         let contender = Contender::complete(theory, &data, asked, &mut theory::note(terminal), &mut shown);
         progress.finish_and_clear();
         contender

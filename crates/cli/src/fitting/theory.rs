@@ -29,7 +29,10 @@ pub fn note(terminal: Terminal) -> impl FnMut(&Words) {
 /// Runs a fit to its end. Shows progress on a terminal.
 pub fn complete(theory: Theory, task: FitTask, with_profiles: bool) -> Result<Fitted, Failure> {
     let progress = progress(&theory.document.program.title);
-    let fitted = Fitted::complete(theory, task, with_profiles, &mut |trials| progress.set_position(trials as u64));
+    let fitted = Fitted::complete(theory, task, with_profiles, &mut |trials| {
+        progress.set_position(trials as u64);
+        true
+    });
     progress.finish_and_clear();
     Ok(fitted?)
 }

@@ -9,19 +9,21 @@ mod curve;
 mod files;
 mod folder;
 mod index;
+mod llms;
 mod names;
 mod parts;
 mod worker;
 
 use crate::arguments::Build;
 use crate::failure::Failure;
+use crate::guide;
 use crate::page;
 use crate::terminal::Terminal;
 use collect::Simulation;
 use document::page::{LIBRARY, Source, read_list, write_list};
 use files::Files;
 use folder::Folder;
-use names::{INDEX, LABORATORY, WORKER};
+use names::{GUIDE, INDEX, LABORATORY, LLMS, WORKER};
 use parts::{Parts, ROOT};
 use units::markup::escaped;
 use units::say;
@@ -63,6 +65,8 @@ fn site(laboratory: &str, player: &str, simulations: &[Simulation]) -> Result<Fi
     files.add(LABORATORY, page);
     let index = index::page(simulations, &player, &mut files);
     files.add(INDEX, index);
+    files.add(GUIDE, guide::GUIDE);
+    files.add(LLMS, llms::text(simulations));
     files.add(WORKER, worker::script(&files));
     files.compress()?;
     Ok(files)

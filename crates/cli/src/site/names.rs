@@ -4,6 +4,10 @@
 pub const LABORATORY: &str = "laboratory.html";
 /// Index page of the simulations.
 pub const INDEX: &str = "index.html";
+/// Guide of the language.
+pub const GUIDE: &str = "guide.md";
+/// What the site holds, for language models.
+pub const LLMS: &str = "llms.txt";
 /// Service worker. It is at the top of the site because it only serves paths below it.
 pub const WORKER: &str = "sw.js";
 /// Suffix of the text version of a module, which pages opened from a disk load.

@@ -1,6 +1,7 @@
-//! Output of diagnostics: as text with the source line, and as JSON.
+//! Output of diagnostics: as text with the source line (here), and as JSON (`findings.rs`).
 
 pub(crate) mod excerpt;
+pub(crate) mod findings;
 pub(crate) mod language;
 pub(crate) mod output;
 pub(crate) mod progress;
@@ -15,10 +16,8 @@ use codespan_reporting::term::termcolor::{Ansi, NoColor, WriteColor};
 use excerpt::Excerpt;
 use model::{Diagnostic, Severity, Span};
 use runner::{Loaded, Sources};
-use serde::Serialize;
-use std::borrow::Cow;
 use std::io::{IsTerminal, Write};
-use units::{Language, Words};
+use units::Language;
 use visible::{Visible, visible};
 
 /// Settings of messages on the terminal.
@@ -167,96 +166,9 @@ fn inside(span: Span, text: &str) -> Span {
     Span::new(start, end)
 }
 
-/// JSON form of a finding. Fields are only ever added.
-#[derive(Serialize)]
-struct Finding<'a> {
-    file: String,
-    severity: &'static str,
-    code: &'a str,
-    message: Cow<'a, str>,
-    #[serde(flatten)]
-    place: Place,
-    labels: Vec<Remark<'a>>,
-    notes: Vec<Cow<'a, str>>,
-    hints: Vec<Cow<'a, str>>,
-}
-
-/// A position range. Lines and columns count from 1; columns count characters.
-#[derive(Serialize)]
-struct Place {
-    #[serde(flatten)]
-    start: Position,
-    end: Position,
-}
-
-#[derive(Serialize)]
-struct Position {
-    line: usize,
-    column: usize,
-}
-
-#[derive(Serialize)]
-struct Remark<'a> {
-    text: Cow<'a, str>,
-    #[serde(flatten)]
-    place: Place,
-}
-
-/// All findings as one JSON array. Keys and codes do not depend on the language, the texts do.
-pub fn findings_as_json(documents: &[Loaded], language: Language) -> String {
-    let mut findings = Vec::new();
-    for loaded in documents {
-        let texts: Vec<&str> = loaded.sources.texts().map(|(_, text)| text).collect();
-        for (file, diagnostic) in &loaded.opened.diagnostics {
-            let text = texts.get(*file).copied().unwrap_or_default();
-            findings.push(Finding {
-                file: loaded.sources.file_path(*file).display().to_string(),
-                severity: match diagnostic.severity {
-                    Severity::Error => "error",
-                    Severity::Warning => "warning",
-                },
-                code: diagnostic.code,
-                message: diagnostic.message.text(language),
-                place: place(diagnostic.span(), text),
-                labels: (diagnostic.labels.iter())
-                    .map(|label| Remark { text: label.text.text(language), place: place(label.span, text) })
-                    .collect(),
-                notes: in_language(&diagnostic.notes, language),
-                hints: in_language(&diagnostic.hints, language),
-            });
-        }
-    }
-    // Texts and numbers can always be serialised.
-    serde_json::to_string_pretty(&findings).unwrap_or_default() + "\n"
-}
-
-fn in_language(all: &[Words], language: Language) -> Vec<Cow<'_, str>> {
-    all.iter().map(|words| words.text(language)).collect()
-}
-
-fn place(span: Span, text: &str) -> Place {
-    let span = inside(span, text);
-    Place { start: position(span.start, text), end: position(span.end, text) }
-}
-
-fn position(offset: usize, text: &str) -> Position {
-    let before = &text[..offset];
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    Position { line: 1 + before.matches('\n').count(), column: 1 + before[line_start..].chars().count() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn positions_count_characters_from_one() {
-        let text = "a\nγ = b\n";
-        let Position { line, column } = position(text.find('b').expect("it is there"), text);
-        assert_eq!((line, column), (2, 5));
-        let Position { line, column } = position(0, text);
-        assert_eq!((line, column), (1, 1));
-    }
 
     #[test]
     fn places_outside_the_text_are_moved_inside() {

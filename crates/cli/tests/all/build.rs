@@ -75,6 +75,19 @@ fn text(files: &BTreeMap<String, Vec<u8>>, name: &str) -> String {
     String::from_utf8(files[name].clone()).expect("UTF-8")
 }
 
+/// `llms.txt` names the guide of the language and each page, and all that it names is there.
+#[test]
+fn language_models_are_told_what_the_site_holds() {
+    let files = &*SITE;
+    let list = text(files, "llms.txt");
+    assert!(list.starts_with("# Simulations made with Meniscus\n\n> "), "{list}");
+    assert!(list.contains("- [A spring](spring.html)\n"), "{list}");
+    assert!(list.contains("](m%C3%A1s%20dif%C3%ADcil/a%20%26%20b%20%231.html)\n"), "{list}");
+    assert_eq!(list.matches("\n- [").count(), 3, "{list}");
+    assert_eq!(text(files, "guide.md"), meniscus(&["guide"]).stdout);
+    assert!(list.contains("](guide.md)"), "{list}");
+}
+
 #[test]
 fn each_document_becomes_a_page_and_a_card() {
     let files = &*SITE;

@@ -83,6 +83,25 @@ fn settings_take_units_bare_numbers_and_expressions() {
     assert!(moved.stdout.starts_with("x [cm],x' [m/s]\n1,0.2\n"), "{}", moved.stdout);
 }
 
+/// A preset sets its parameters one after the other, as in the page: a later value follows from the ones before it, and so does a
+/// value at the start in it.
+#[test]
+fn the_values_of_a_preset_follow_from_the_ones_before_them() {
+    let presets = "\n```presets\n\"Chain\": m = 8 [kg], k = 2 [N/(kg m)]*m, x_0 = m/(1 [kg])*1 [cm]\n\
+                   \"Start\": x_0 = 3 [cm], k = x(0)*1000 [N/m^2]\n```\n";
+    let (_directory, path) = directory_with(&(SPRING.to_owned() + presets));
+    let path = path.to_str().unwrap();
+    for (preset, expected) in [("Chain", "\n8,16,8\n"), ("Start", "\n2,30,3\n")] {
+        let done = meniscus(&["run", path, "--preset", preset, "--columns", "m,k,x_0", "--until", "0.1"]);
+        assert!(done.stdout.contains(expected), "{preset}: {}{}", done.stdout, done.stderr);
+    }
+    // Each is checked in its range, with the values before it.
+    let wrong = presets.replace("m = 8", "m = 10").replace("2 [N/(kg m)]", "11 [N/(kg m)]");
+    let (_directory, path) = directory_with(&(SPRING.to_owned() + &wrong));
+    let done = meniscus(&["run", path.to_str().unwrap(), "--preset", "Chain"]);
+    assert!(done.code == 2 && done.stderr.contains("k = 110 N/m is out of range"), "{}", done.stderr);
+}
+
 #[test]
 fn wrong_settings_are_refused_with_the_remedy() {
     refused(&["--set", "x_0=30"], 2, &["x_0 = 30 cm is out of range", "from -20 cm to 20 cm"]);

@@ -12,7 +12,7 @@ mod trial;
 mod words;
 
 pub use outcome::{Measured, Outcome, Verdict, Worst};
-pub use parameters::{answer, supposed};
+pub use parameters::{answer, assign, supposed};
 pub use words::{claim_outcome, moment};
 
 use program::Program;

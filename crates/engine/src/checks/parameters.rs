@@ -3,17 +3,22 @@
 use crate::{Readings, Setup};
 use program::{Assignment, Model, NodeId, Program, Question};
 
-/// The parameters of the document with the assignments of a check applied in order, one value per parameter, SI units. Each
-/// assignment sees those before it.
+/// The parameters of the document with the assignments of a check applied in order, one value per parameter, SI units.
 pub fn supposed(program: &Program, setup: &[Assignment]) -> Vec<f64> {
     let mut parameters = Setup::of(program).parameters;
-    for assignment in setup {
-        let value = at_start(&program.model, &parameters, assignment.value.node);
+    assign(&program.model, &mut parameters, setup);
+    parameters
+}
+
+/// Sets parameters (SI units) one after the other: each value follows from the parameters, and the initial values that they give, as the
+/// assignments before it have left them.
+pub fn assign(model: &Model, parameters: &mut [f64], assignments: &[Assignment]) {
+    for assignment in assignments {
+        let value = at_start(model, parameters, assignment.value.node);
         if let Some(parameter) = parameters.get_mut(assignment.parameter) {
             *parameter = value;
         }
     }
-    parameters
 }
 
 /// Right answer of a question with the parameters of the document and those that it assumes, SI units.

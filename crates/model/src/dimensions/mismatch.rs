@@ -123,6 +123,7 @@ impl Inference<'_> {
             .with_label(left.0.span, self.what(left.1))
             .with_label(right.0.span, self.what(right.1))
             .with_note(self.table(&[(&LEFT_SIDE, left.1), (&RIGHT_SIDE, right.1)]));
+        let diagnostic = self.with_dimensions(diagnostic, left.1, right.1);
         let diagnostic = self.with_origins(diagnostic, &[left.1, right.1]);
         let hint = self.factor(left.1, right.1).map(|factor| {
             let thing = as_factor(factor.dimension());
@@ -184,6 +185,7 @@ impl Inference<'_> {
         let diagnostic = Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(kind)
             .with_note(self.table(&[(&subject, form), (&needed, &Form::pure())]));
+        let diagnostic = self.with_dimensions(diagnostic, form, &Form::pure());
         self.with_remedy(self.with_origins(diagnostic, &[form]), expression, form, &Form::pure())
     }
 
@@ -205,9 +207,19 @@ impl Inference<'_> {
                 words!("{subject} does not fit {other}{context}")
             }
         };
-        Diagnostic::error("dimension-mismatch", message, expression.span)
+        let diagnostic = Diagnostic::error("dimension-mismatch", message, expression.span)
             .saying(self.what(found))
-            .with_note(self.table(&[(subject, found), (other, expected)]))
+            .with_note(self.table(&[(subject, found), (other, expected)]));
+        self.with_dimensions(diagnostic, found, expected)
+    }
+
+    /// States both dimensions as data, if both are known.
+    fn with_dimensions(&self, diagnostic: Diagnostic, found: &Form, needed: &Form) -> Diagnostic {
+        let known = |form: &Form| self.solver.resolve(form).ok().and_then(|form| form.dimension());
+        match (known(found), known(needed)) {
+            (Some(found), Some(needed)) => diagnostic.of_dimensions(found, needed),
+            _ => diagnostic,
+        }
     }
 
     pub fn factor(&self, found: &Form, expected: &Form) -> Option<Factor> {

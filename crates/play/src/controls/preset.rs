@@ -66,6 +66,8 @@ impl Controls {
         let presets = &basis.program().presets;
         let first = presets.iter().take(index).map(|preset| preset.values.len()).sum();
         let values = presets.get(index).map_or(&[][..], |preset| &preset.values);
-        assign(&mut self.presets.clone(), first, values, at.parameters(), at.initial())
+        let (mut initial, nothing) = (self.initial.clone(), vec![0.0; basis.model().states.len()]);
+        let mut start = |parameters: &[f64]| initial.at(parameters, &nothing, 0.0, &nothing).to_vec();
+        assign(&mut self.presets.clone(), first, values, at.parameters(), &mut start)
     }
 }

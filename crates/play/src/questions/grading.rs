@@ -166,8 +166,8 @@ impl Grading {
         let questions = &basis.program().questions;
         let first = questions.iter().take(question).map(|question| question.setup.len()).sum();
         let setup = questions.get(question).map_or(&[][..], |asked| &asked.setup);
-        let initial = self.initial(basis, parameters);
-        assign(&mut self.setups.clone(), first, setup, parameters, &initial)
+        let mut initial = |parameters: &[f64]| self.initial(basis, parameters);
+        assign(&mut self.setups.clone(), first, setup, parameters, &mut initial)
     }
 
     /// Initial state (SI) with these parameters.

@@ -1,7 +1,7 @@
 //! The clock and the transport of the time line: play, pause, proceed, show.
 
 use super::TimeLine;
-use super::course::Outcome;
+use super::course::{Course, Outcome};
 use crate::{Announcement, Basis, Changes};
 use engine::Setup;
 
@@ -125,6 +125,13 @@ impl TimeLine {
     pub fn show_time(&mut self, time: f64) -> Changes {
         let time = time.clamp(0.0, self.course.front());
         if self.playing || self.course.time() == time { Changes::NONE } else { self.show(time) }
+    }
+
+    /// Starts another run with this setup and its presses, paused, in the place of the present one.
+    pub fn start(&mut self, basis: &Basis, setup: Setup) -> Changes {
+        let changes = self.stop();
+        let course = Course::start(self.motion(basis), setup, self.columns.bytes_per_row());
+        changes | self.replace(course)
     }
 
     /// Restarts with these parameters (SI) and the model's own start, computes the run up to a time (SI) and shows its

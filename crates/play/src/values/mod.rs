@@ -3,6 +3,7 @@
 mod lines;
 mod members;
 mod outline;
+mod picture;
 mod readout;
 mod rounding;
 mod scene;

@@ -146,6 +146,16 @@ fn presets_are_computed_one_after_the_other() {
     assert_eq!(play.controls().presets(play.basis(), play.course())[0].presets[1].name, "Mercurio");
 }
 
+/// A value at the start in a preset is the one that the values before it give.
+#[test]
+fn a_preset_sees_the_start_that_it_has_set() {
+    let source = "```model\nparameter a = 1 [m] in 0..9\nparameter b = 1 [m] in 0..9\nx' = 0 [m/s]\nx(0) = 2*a\n```\n\n\
+                  ```presets\n\"Both\": a = 3 [m], b = x(0)\n```\n";
+    let mut play = Play::open(document::open(source, &[]).document.unwrap().program);
+    play.change_settings(|settings| settings.apply_preset(0)).unwrap();
+    assert_eq!(play.course().parameters(), [3.0, 6.0]);
+}
+
 #[test]
 fn the_state_is_set_by_hand_while_paused() {
     let mut play = utube();

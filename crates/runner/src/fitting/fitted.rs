@@ -41,15 +41,15 @@ pub struct Fitted {
 
 impl Fitted {
     /// Runs a fit to its end, from each of its starts, and takes the best one. `progress` gets the number of trials after
-    /// each.
+    /// each, and ends the fit if it returns false.
     ///
     /// # Errors
-    /// A task that cannot be fitted, or a model without a finite curve.
+    /// A task that cannot be fitted, a model without a finite curve, or a fit that `progress` has ended.
     pub fn complete(
         theory: Theory,
         FitTask { task, starts }: FitTask,
         with_profiles: bool,
-        progress: &mut dyn FnMut(usize),
+        progress: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Self, Refusal> {
         let mut best: Option<(f64, Fit, Outcome, Task)> = None;
         let (mut ends, mut before, mut gave_up) = (Vec::new(), 0, false);
@@ -64,7 +64,12 @@ impl Fitted {
                 fit.use_lanes(lanes);
             }
             while !fit.advance() {
-                progress(before + fit.trials());
+                if !progress(before + fit.trials()) {
+                    return Err(Refusal::with_hint(
+                        "the fit was ended before it was complete",
+                        "vary fewer parameters, give fewer starts, or fit a shorter part of the record",
+                    ));
+                }
             }
             before += fit.trials();
             gave_up |= fit.gave_up();

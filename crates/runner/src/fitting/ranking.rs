@@ -23,7 +23,7 @@ pub struct Contender {
 
 impl Contender {
     /// Fits a theory to data. `predict_from`: time from which on the values are also predicted from those before. `note` gets
-    /// remarks about the data, `progress` the number of trials after each.
+    /// remarks about the data, `progress` the number of trials after each; it ends the fit by false.
     ///
     /// # Errors
     /// As [`task`] and [`Fitted::complete`]; and no value after `predict_from`.
@@ -32,7 +32,7 @@ impl Contender {
         data: &[Measured],
         (settings, predict_from): (&FitSettings, Option<&str>),
         note: &mut dyn FnMut(&Words),
-        progress: &mut dyn FnMut(usize),
+        progress: &mut dyn FnMut(usize) -> bool,
     ) -> Result<Self, Refusal> {
         let mut asked = task(&mut theory.document, data, settings, note)?;
         let Some(text) = predict_from else {

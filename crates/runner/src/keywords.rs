@@ -1,6 +1,6 @@
-//! Messages of `runner` for callers in Python.
+//! Messages for callers who give settings by keywords, such as Python.
 
-/// A message in which the options of the command line, `--until`, are spelled as the arguments of Python, `until`.
+/// A message in which the options of the command line, `--until`, are spelled as keywords, `until`.
 pub fn in_keywords(message: &str) -> String {
     let mut text = String::with_capacity(message.len());
     let mut rest = message;

@@ -14,6 +14,7 @@
 //! | [`form`], [`drawing`], [`translating`], [`asked`] | a text as cells, as a drawing, with its translation, as questions |
 //! | [`card()`], [`Searchable`] | entry of a list of documents; search by words in all languages |
 //! | [`page`] | documents embedded in a page; `page::played` fills the player, for program and laboratory alike |
+//! | [`proposals`] | claims that follow from the text of a document alone |
 //! | [`outcomes()`], [`resized()`] | what is kept of many runs; other sizes of families |
 //! | [`TEMPLATES`] | short documents to begin with, in each language (`templates/`) |
 //!
@@ -38,6 +39,7 @@ mod hidden;
 mod open;
 mod outcomes;
 pub mod page;
+pub mod proposals;
 mod prose;
 mod resized;
 mod scene;

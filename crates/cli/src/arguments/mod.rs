@@ -213,6 +213,11 @@ Examples:
   meniscus check simulations/utube.md            for people
   meniscus check simulations/*.md --format json  for programs
   meniscus check simulations/*.md --run          and whether what their check blocks claim holds
+  meniscus check simulations/utube.md --propose  and which claims its check block could make
+
+With --propose each proposal has its reason, its result and its lines for a check block. ✓ holds; ? does not hold and should,
+which is a suspicion and no error. The comment `# declined energy E: why` in a check block declines the proposal energy E. In
+JSON the findings are one part of an object then, and documents have proposals, untested and declined.
 
 With --run each document without errors is run for its claims, and each claim gets one line: ✓ or ✗, its name, the worst
 value and when that was. In JSON a claim that does not hold is a finding of the code check-failed.
@@ -231,6 +236,10 @@ pub struct Check {
     /// Run the documents and see whether the claims of their check blocks hold
     #[arg(long)]
     pub run: bool,
+
+    /// Propose claims that follow from the equations and the labels, each run before it is shown
+    #[arg(long)]
+    pub propose: bool,
 
     /// The form of the findings
     #[arg(long, value_enum, default_value_t = Findings::Text)]

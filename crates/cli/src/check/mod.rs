@@ -1,6 +1,7 @@
 //! `meniscus check`: findings in documents as text or JSON.
 
 mod claims;
+mod proposals;
 
 use crate::arguments::{Check, Findings};
 use crate::failure::Failure;
@@ -10,7 +11,7 @@ use crate::terminal::output::Output;
 use crate::terminal::visible::visible;
 use crate::terminal::{Terminal, findings_as_text};
 use claims::Claims;
-use runner::Loaded;
+use runner::{Loaded, Proposed};
 use std::io::Write;
 use std::path::PathBuf;
 use units::{Language, say};
@@ -30,16 +31,21 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
     let language = terminal.language;
     let claims: Vec<Option<Claims>> =
         loaded.iter().map(|document| arguments.run.then(|| Claims::judge(document, language))).collect();
+    let proposed: Vec<Proposed> = loaded.iter().filter(|_| arguments.propose).map(proposals::propose).collect();
     if arguments.format == Findings::Json {
         for (document, claims) in loaded.iter_mut().zip(&claims) {
             document.opened.diagnostics.extend(claims.iter().flat_map(Claims::findings).map(|finding| (0, finding)));
         }
     }
     let (mut output, text) = match arguments.format {
-        Findings::Json => (Output::standard(), findings_as_json(&loaded, language)),
+        Findings::Json => {
+            let findings = findings_as_json(&loaded, language);
+            let all = || proposals::as_json(&findings, &loaded, &proposed, language);
+            (Output::standard(), if arguments.propose { all() } else { findings.clone() })
+        }
         Findings::Text => {
             let findings = findings_as_text(&loaded, language, terminal.standard_output_colors());
-            (Output::rendered(), findings + &visible(&summary(&loaded, &claims, language)))
+            (Output::rendered(), findings + &visible(&summary(&loaded, &claims, &proposed, language)))
         }
     };
     output.write_all(text.as_bytes()).map_err(|error| output.failure(&error))?;
@@ -49,12 +55,13 @@ pub fn check(arguments: &Check, terminal: Terminal) -> Result<(), Failure> {
     if wrong { Err(Failure::Document) } else { Ok(()) }
 }
 
-/// One line per document, followed by one line per claim.
-fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) -> String {
+/// One line per document, followed by its claims and by its proposals.
+fn summary(documents: &[Loaded], claims: &[Option<Claims>], proposed: &[Proposed], language: Language) -> String {
     let error = language.say_all(["error", "errors"]);
     let warning = language.say_all(["warning", "warnings"]);
     let mut summary = String::new();
-    for (loaded, claims) in documents.iter().zip(claims) {
+    for (number, (loaded, claims)) in documents.iter().zip(claims).enumerate() {
+        let proposed = proposed.get(number);
         let errors = loaded.errors();
         let warnings = loaded.opened.diagnostics.len() - errors;
         let found = match (errors, warnings) {
@@ -67,9 +74,11 @@ fn summary(documents: &[Loaded], claims: &[Option<Claims>], language: Language) 
         let refuted = claims.is_some_and(|claims| claims.counts().1 > 0);
         let fine = (found.is_none() && !refuted).then(|| language.say("ok").to_owned());
         let claimed = claims.map(|claims| claimed(claims, language));
-        let verdict: Vec<String> = found.into_iter().chain(fine).chain(claimed).collect();
+        let offered = proposed.filter(|_| errors == 0).map(|proposed| proposals::counted(proposed, language));
+        let verdict: Vec<String> = found.into_iter().chain(fine).chain(claimed).chain(offered).collect();
         summary.push_str(&format!("{}: {}\n", loaded.sources.path().display(), verdict.join(", ")));
         summary.extend(claims.iter().map(|claims| claims.lines(language)));
+        summary.extend(proposed.map(|proposed| proposals::as_text(proposed, language)));
     }
     summary
 }

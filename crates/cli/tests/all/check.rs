@@ -41,6 +41,27 @@ fn the_documents_that_ship_have_no_findings() {
     assert_eq!(meniscus(&["check", &paths[0], &paths[1], "--format", "json"]).stdout, "[]\n");
 }
 
+/// Proposals are printed with their lines; a suspicion is no error.
+#[test]
+fn claims_are_proposed_as_text_and_as_json() {
+    let fault = "---\ntitle: A spring\nuntil: 10 [s]\n---\n\n```model\nm = 1 [kg]\nk = 4 [N/m]\n\
+        m*y'' = -k*y\ny(0) = 1 [m]\ny'(0) = 0 [m/s]\nE = m*y'^2/2 + k*y^2 \"Energy\"\n```\n";
+    let (_directory, path) = directory_with(fault);
+    let path = path.to_str().expect("UTF-8");
+    let done = meniscus(&["check", "--propose", path]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""), "{}", done.stdout);
+    assert!(done.stdout.contains(": ok, proposals: 1, suspicions: 1\n"), "{}", done.stdout);
+    assert!(done.stdout.contains("  ? energy E: "), "{}", done.stdout);
+    assert!(done.stdout.contains("      \"E is kept\": E within 0.1 % of E(0) always\n"), "{}", done.stdout);
+
+    let done = meniscus(&["check", "--propose", "--format", "json", path]);
+    let all: serde_json::Value = serde_json::from_str(&done.stdout).expect("JSON");
+    assert_eq!(all["findings"], serde_json::json!([]));
+    let proposal = &all["documents"][0]["proposals"][0];
+    assert_eq!((proposal["key"].as_str(), proposal["holds"].as_bool()), (Some("energy E"), Some(false)));
+    assert!(proposal["suspicion"].as_str().is_some_and(|text| text.contains("0.5 times")), "{all}");
+}
+
 #[test]
 fn findings_name_file_line_column_and_remedy() {
     let (_directory, path) = directory_with(&SPRING.replace("k*x = 0", "kk*x = 0"));

@@ -32,6 +32,7 @@ mod controls;
 mod facts;
 mod motion;
 mod open_run;
+mod picture;
 mod play;
 mod plots;
 mod questions;
@@ -62,6 +63,7 @@ pub use controls::{
 };
 pub use facts::{UNKNOWN_GRADE, facts_of_answers, facts_of_run};
 pub use open_run::OpenRun;
+pub use picture::scene_svg;
 pub use play::Play;
 pub use plots::{AddedPlot, AddedSeries, Figures, Labels, LegendEntry, PlotId, PlotView, Plots, Points, points_colour};
 pub use plots::{SweepComputation, SweepNews, SweepWork, SweepWorkers, TakenRun};

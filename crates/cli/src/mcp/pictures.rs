@@ -5,7 +5,7 @@ use super::given::RunSettings;
 use super::runs::prepared;
 use super::workplace::Call;
 use figure::{Palette, Settings};
-use play::{Play, PlotView};
+use play::{Play, PlotView, scene_svg};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 use rmcp::schemars::{self, JsonSchema};
@@ -81,7 +81,7 @@ pub fn picture(call: Call, asked: Asked) -> Result<Answer, Refused> {
     play.change_run(|line, _| line.show_time(time));
     let mut pictures = Vec::new();
     let mut shown = Vec::new();
-    if let Some(svg) = play.scene_svg(&Palette::LIGHT.text.to_string()) {
+    if let Some(svg) = scene_svg(&mut play, &Palette::LIGHT.text.to_string()) {
         pictures.push(png(&svg, width)?);
         shown.push("the scene".to_owned());
     }

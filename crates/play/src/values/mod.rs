@@ -3,7 +3,6 @@
 mod lines;
 mod members;
 mod outline;
-mod picture;
 mod readout;
 mod rounding;
 mod scene;

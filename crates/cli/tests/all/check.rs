@@ -59,7 +59,7 @@ fn claims_are_proposed_as_text_and_as_json() {
     assert_eq!(all["findings"], serde_json::json!([]));
     let proposal = &all["documents"][0]["proposals"][0];
     assert_eq!((proposal["key"].as_str(), proposal["holds"].as_bool()), (Some("energy E"), Some(false)));
-    assert!(proposal["suspicion"].as_str().is_some_and(|text| text.contains("0.5 times")), "{all}");
+    assert!(proposal["suspicion"].as_str().is_some_and(|text| text.contains("-1 times")), "{all}");
 }
 
 #[test]

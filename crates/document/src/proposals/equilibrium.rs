@@ -14,7 +14,7 @@ pub struct Equilibrium {
     pub position: f64,
     /// Square of the angular frequency of small oscillations without friction; negative if it is unstable.
     pub stiffness: f64,
-    /// The same with other values than those of the document; NaN if there is no equilibrium.
+    /// [`Self::stiffness`] with other values than those of the document; NaN if there is no equilibrium.
     pub stiffness_moved: f64,
     /// Twice the damping rate.
     pub damping: f64,
@@ -94,7 +94,7 @@ fn zero(study: &Study, motion: Motion, slope: NodeId, parameters: &[f64], at: im
         }
         position -= step;
         if step.abs() <= 1e-14 * (scale + position.abs()) {
-            // What rounding leaves of 0.
+            // Rounding leaves a small number of 0.
             return Some(if position.abs() <= 1e-12 * scale { 0.0 } else { position });
         }
     }

@@ -63,7 +63,7 @@ pub(super) struct Study<'a> {
     points: Vec<Point>,
     /// Values of the document.
     pub stated: Vec<f64>,
-    /// The same with nonzero values in the place of zeros.
+    /// Values of the document, with nonzero ones in the place of zeros.
     pub generic: Vec<f64>,
     /// Other values inside of the ranges.
     pub moved: Vec<f64>,

@@ -39,7 +39,10 @@ fn parts(program: &Program, answer: NodeId) -> Vec<(String, NodeId)> {
     let mut found = Vec::new();
     let mut waiting = vec![answer];
     let mut seen = HashSet::new();
-    while let Some(node) = waiting.pop().filter(|node| seen.insert(*node)).or_else(|| waiting.pop()) {
+    while let Some(node) = waiting.pop() {
+        if !seen.insert(node) {
+            continue;
+        }
         match model.quantities.iter().find(|quantity| quantity.value.node == node && !quantity.remembered) {
             Some(quantity) => found.push((quantity.name.clone(), node)),
             None => model.graph.for_each_operand(node, |operand| waiting.push(operand)),

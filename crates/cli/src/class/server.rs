@@ -53,7 +53,10 @@ pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
                 Fault::Away(_) => about(&location, &fault),
                 fault => Failure::about(backup, &fault.words()),
             })?;
-            terminal.print(&format!("{}: {events}\n", terminal.language.say("parts restored")));
+            let links = terminal.language.say(
+                "No device of a teacher is taken from a backup: a start with `meniscus class serve` prints a new link.",
+            );
+            terminal.print(&format!("{}: {events}\n{links}\n", terminal.language.say("parts restored")));
             Ok(())
         }),
         ClassServer::Erase(arguments) => blocking(erase(arguments)),

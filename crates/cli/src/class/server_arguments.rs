@@ -15,7 +15,7 @@ pub enum ClassServer {
     Serve(ServeClass),
     /// Write all classes of a store into a new file; a server may run meanwhile
     Backup(Backup),
-    /// Take classes from a backup; erased seats and classes whose time is over are left out
+    /// Take classes from a backup; erased seats, classes whose time is over, and devices of teachers are left out
     Restore(Restore),
     /// Erase a seat, or everything
     Erase(Erase),

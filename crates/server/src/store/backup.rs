@@ -20,7 +20,8 @@ pub async fn back_up(from: &Location, to: &Path) -> Result<(), Fault> {
 }
 
 /// Takes classes from a backup into a store, which is made if there is none. What the store has already stays. Classes whose time
-/// is over and erased seats are left out. Returns the number of events that came back.
+/// is over and erased seats are left out, and so are the tokens of teachers: those may have been revoked after the backup. Returns the
+/// number of events that came back.
 ///
 /// # Errors
 /// There is no backup at `from`, or `into` cannot be written.

@@ -6,7 +6,12 @@ use serde_json::json;
 use server::store::{Location, back_up, restore};
 use server::{Store, export, now};
 
-cases!(no_text_of_an_erased_seat_stays, a_backup_does_not_bring_an_erased_seat_back, a_class_ends_after_its_days);
+cases!(
+    no_text_of_an_erased_seat_stays,
+    a_backup_does_not_bring_an_erased_seat_back,
+    a_backup_brings_no_device_of_a_teacher_back,
+    a_class_ends_after_its_days,
+);
 
 /// Answer that is looked for in the bytes of the files.
 const SECRET: &str = "an answer that nobody else would type";
@@ -61,6 +66,25 @@ fn a_backup_does_not_bring_an_erased_seat_back(storage: &Storage) {
     assert_eq!(block(restore(&backup, &late, now() + 31 * 86_400_000)).unwrap(), 0);
     let Location::File(late) = &late else { return };
     assert!(!holds(late, SECRET) && !holds(late, "another"));
+}
+
+fn a_backup_brings_no_device_of_a_teacher_back(storage: &Storage) {
+    let backup = storage.beside("backup.sqlite");
+    let running = Running::start(&storage.location);
+    let (own, revoked, joined) = (running.teacher(), running.teacher(), running.join());
+    block(back_up(&storage.location, &backup)).unwrap();
+    running.post("/api/teacher/revoke", &own, &json!({})).ok();
+    drop(running);
+    let other = storage.other();
+    // The store in which the token was revoked, and a new one that cannot tell.
+    for (location, kept) in [(&storage.location, 200), (&other.location, 401)] {
+        block(restore(&backup, location, now())).unwrap();
+        let running = Running::start(location);
+        let status = |token: &str| running.get("/api/teacher/class", token).status;
+        assert_eq!([status(&own), status(&revoked), status(&running.teacher())], [kept, 401, 200]);
+        // Students keep their seats.
+        running.get("/api/state", joined["token"].as_str().unwrap()).ok();
+    }
 }
 
 fn a_class_ends_after_its_days(storage: &Storage) {

@@ -71,6 +71,8 @@ impl From<Fault> for NotJoined {
     fn from(fault: Fault) -> Self {
         match fault {
             Fault::SeatFull => Self::Full,
+            // Class or seat was erased meanwhile.
+            Fault::Missing => Self::Wrong,
             fault => Self::Store(fault),
         }
     }

@@ -39,6 +39,11 @@ pub use sqlite::files_beside;
 use crate::codes::Hash;
 use postgres::Postgres;
 use sqlite::Sqlite;
+use std::time::Duration;
+use tokio::time::sleep;
+
+/// Time between two looks for what commands have erased in a file.
+const LOOK: Duration = Duration::from_secs(2);
 
 /// A store; cheap to clone.
 #[derive(Clone, Debug)]
@@ -317,27 +322,22 @@ impl Store {
     /// # Errors
     /// The store cannot be read.
     pub async fn cursor(&self) -> Result<Cursor, Fault> {
-        match &self.kind {
-            Kind::Sqlite(_) => Ok(Cursor::default()),
-            Kind::Postgres(store) => store.cursor().await,
-        }
+        of!(self, cursor())
     }
 
-    /// Everything that any server has changed after this place, until the call. A file has one server and no news.
+    /// Everything that any server has changed after this place, until the call. A file has one server: its news is what commands have
+    /// erased beside it.
     ///
     /// # Errors
     /// The store cannot be read.
     pub async fn news(&self, since: Cursor) -> Result<News, Fault> {
-        match &self.kind {
-            Kind::Sqlite(_) => Ok(News::default()),
-            Kind::Postgres(store) => store.news(since).await,
-        }
+        of!(self, news(since))
     }
 
-    /// Waits until some server has changed something. One task at a time may wait.
+    /// Waits until some server has changed something; with a file until it is time to look. One task at a time may wait.
     pub async fn changed(&self) {
         match &self.kind {
-            Kind::Sqlite(_) => std::future::pending().await,
+            Kind::Sqlite(_) => sleep(LOOK).await,
             Kind::Postgres(store) => store.changed().await,
         }
     }

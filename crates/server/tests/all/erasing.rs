@@ -2,14 +2,16 @@
 
 use crate::client::{Running, block, parts};
 use crate::storage::{Storage, cases, holds};
+use crate::streams::Stream;
 use serde_json::json;
-use server::store::{Location, back_up, restore};
-use server::{Store, export, now};
+use server::store::{Location, NewEvent, back_up, restore};
+use server::{Fault, Store, export, now};
 
 cases!(
     no_text_of_an_erased_seat_stays,
     a_backup_does_not_bring_an_erased_seat_back,
     a_backup_brings_no_device_of_a_teacher_back,
+    nothing_is_stored_of_a_class_that_was_erased_beside_a_server,
     a_class_ends_after_its_days,
 );
 
@@ -85,6 +87,41 @@ fn a_backup_brings_no_device_of_a_teacher_back(storage: &Storage) {
         // Students keep their seats.
         running.get("/api/state", joined["token"].as_str().unwrap()).ok();
     }
+}
+
+fn nothing_is_stored_of_a_class_that_was_erased_beside_a_server(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let (joined, teacher, link) = (running.join(), running.teacher(), running.link());
+    let [token, survey] = ["token", "survey"].map(|name| joined[name].as_str().unwrap());
+    let events = json!({ "events": parts(1, SECRET, "wrong") });
+    running.post("/api/events", token, &events).ok();
+    let (mut stream, _) = Stream::open(&running, "/api/stream", token);
+    assert!(stream.next().is_some());
+    let class = running.class.id();
+    // As `meniscus class erase --all` does.
+    block(async { Store::existing(&storage.location).await.unwrap().erase_class(class.to_owned()).await }).unwrap();
+    // Requests that were let in before.
+    let store = running.server.classes().store();
+    let event = || NewEvent { seq: 7, kind: "part", body: SECRET.to_owned() };
+    let late = block(store.append(class.to_owned(), 1, now(), vec![event()]));
+    assert!(matches!(late, Err(Fault::Missing)), "{late:?}");
+    let _ = block(store.add_sheet(class.to_owned(), [7; 16], SECRET.to_owned()));
+    assert!(block(store.append_of_teacher(class.to_owned(), now(), "settings", SECRET.to_owned())).is_err());
+    assert!(block(store.add_token(class.to_owned(), 1, [7; 32])).is_err());
+    // Later ones, each with a reason for which the page has a sentence.
+    let gone = (401, "token".to_owned());
+    assert_eq!(running.post("/api/events", token, &events).why(), gone);
+    assert_eq!(running.get("/api/state", token).why(), gone);
+    assert_eq!(running.get("/api/teacher/class", &teacher).why(), gone);
+    assert_eq!(running.post("/api/survey/1-1", survey, &json!({ "meniscus survey": 1, "items": [] })).why(), gone);
+    for code in [running.class.code(), joined["key"].as_str().unwrap().to_owned()] {
+        assert_eq!(running.post("/api/join", "", &json!({ "code": code })).why(), (404, "code".to_owned()));
+    }
+    assert_eq!(running.post("/api/teacher/exchange", "", &json!({ "link": link })).why(), (403, "link".to_owned()));
+    assert!(stream.next().is_none());
+    assert!(!storage.holds(SECRET));
+    assert!(block(store.seats(class.to_owned())).unwrap().is_empty());
+    assert!(block(store.tokens(class.to_owned())).unwrap().is_empty());
 }
 
 fn a_class_ends_after_its_days(storage: &Storage) {

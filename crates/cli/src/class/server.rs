@@ -150,6 +150,11 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
     let pages = Pages::new(documents, page::own()?, POLICY, terminal.language);
     let location = location(&arguments.place)?;
     blocking(async {
+        // A refused start makes neither a store nor a class.
+        let listener = listener(listened(arguments), arguments.port).await.map_err(|error| network(&error))?;
+        let port = listener.local_addr().map_err(|error| network(&error))?.port();
+        let (place, tls) = place(arguments, port)?;
+        let log = arguments.log.as_deref().map(log).transpose()?;
         let fails = |fault| about(&location, &fault);
         let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
@@ -171,10 +176,6 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
             false => classes.latest_or_begin(&title, arguments.keep, now()).await,
         };
         let class = class.map_err(fails)?;
-        let listener = listener(listened(arguments), arguments.port).await.map_err(|error| network(&error))?;
-        let port = listener.local_addr().map_err(|error| network(&error))?.port();
-        let (place, tls) = place(arguments, port)?;
-        let log = arguments.log.as_deref().map(log).transpose()?;
         let server = Server::new(classes, pages, place, log);
         let link = server.classes().link(&class).await.map_err(fails)?;
         let own = arguments.listen.filter(IpAddr::is_loopback).unwrap_or(Ipv4Addr::LOCALHOST.into());

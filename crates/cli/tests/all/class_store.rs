@@ -107,6 +107,31 @@ fn every_class_of_a_store_can_be_reached_and_none_is_continued_unasked() {
 }
 
 #[test]
+fn a_refused_start_leaves_neither_a_store_nor_a_class() {
+    let folder = tempfile::tempdir().unwrap();
+    let [new, known] = ["new.sqlite", "known.sqlite"].map(|name| folder.path().join(name));
+    store(&known, &["first"]);
+    let [new, known] = [&new, &known].map(|path| path.to_str().unwrap());
+    let taken = std::net::TcpListener::bind("0.0.0.0:0").unwrap();
+    let port = taken.local_addr().unwrap().port().to_string();
+    let document = concat!(env!("CARGO_MANIFEST_DIR"), "/../../simulations/utube.md");
+    let [text, no_log] = ["Cargo.toml", "none/class.log"];
+    for words in [
+        vec![document, "--port", &port],
+        vec![text],
+        vec![document, "--public", "https://class.example", "--tls", "none.pem,none.pem"],
+        vec![document, "--public", "class"],
+        vec![document, "--log", no_log],
+    ] {
+        let serve = |more: &[&str]| meniscus(&[&["class", "serve"], words.as_slice(), more].concat());
+        let (first, second) = (serve(&["--store", new]), serve(&["--store", known, "--new"]));
+        assert!(first.code > 0 && second.code > 0, "{words:?}: {}", first.stderr);
+        assert!(!Path::new(new).exists(), "{words:?}");
+        assert_eq!(meniscus(&["class", "list", "--store", known]).stdout.lines().count(), 1, "{words:?}");
+    }
+}
+
+#[test]
 fn a_file_that_is_no_store_is_named_with_the_remedy() {
     let folder = tempfile::tempdir().unwrap();
     let missing = folder.path().join("none.sqlite");

@@ -321,6 +321,8 @@ impl Classes {
         locked(&self.keys).extend(keys.into_iter().map(|(key, seat)| (key, (class.clone(), seat))));
         locked(&self.tokens).insert(survey, Holder::Survey(class.clone()));
         locked(&self.tokens).extend(stored.into_iter().map(|(hash, seat)| (hash, class.holder(seat))));
+        // Students of earlier classes are told that there is another one.
+        classes.iter().for_each(|earlier| earlier.settings.send_modify(|_| {}));
         classes.push(class.clone());
         classes.sort_by_key(|class| std::cmp::Reverse(class.row.created));
         Ok(class)

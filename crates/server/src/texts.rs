@@ -7,11 +7,15 @@ use units::Language;
 pub fn all() -> Value {
     let mut all = serde_json::Map::new();
     for language in Language::ALL {
-        let mut own = student(language);
-        if let (Value::Object(own), Value::Object(teacher)) = (&mut own, teacher(language)) {
-            own.extend(teacher);
-        }
-        all.insert(language.tag().to_owned(), own);
+        let own: serde_json::Map<String, Value> = [student, handing_in, teacher]
+            .into_iter()
+            .filter_map(|texts| match texts(language) {
+                Value::Object(texts) => Some(texts),
+                _ => None,
+            })
+            .flatten()
+            .collect();
+        all.insert(language.tag().to_owned(), own.into());
     }
     Value::Object(all)
 }
@@ -29,16 +33,8 @@ fn student(language: Language) -> Value {
         "unreachable": language.say("The class cannot be reached. Check the network; your work stays here."),
         "full": language.say("The class gives no more seats. Ask your teacher."),
         "many": language.say("Too many have joined from this network. Ask your teacher, or try again in an hour."),
-        "waits_one": language.say("1 part is not handed in yet."),
-        "waits": language.say("# parts are not handed in yet."),
-        "all_in": language.say("Everything is handed in."),
-        "nothing": language.say("Nothing is handed in yet."),
-        "closed": language.say("The class is closed; your work stays here and in the file."),
-        "approval": language.say("Wait until your teacher lets you in."),
-        "refused": language.say("The class refused a part. Press Hand in and send the file to your teacher."),
-        "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
-        "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
         "token": language.say("This seat does not exist any more. Join again."),
+        "earlier": language.say("This seat belongs to an earlier class. Type the code of the present one to join it."),
         "paused": language.say("Your teacher has paused the class."),
         "pace": language.say("The class works on"),
         "closes": language.say("Closes in # min"),
@@ -55,6 +51,21 @@ fn student(language: Language) -> Value {
         "others": language.say("Answers of the class"),
         "question": language.say("Question"),
         "right": language.say("right: # of $"),
+    })
+}
+
+/// What is said of the parts that wait, with a sentence for each reason of a refusal.
+fn handing_in(language: Language) -> Value {
+    json!({
+        "waits_one": language.say("1 part is not handed in yet."),
+        "waits": language.say("# parts are not handed in yet."),
+        "all_in": language.say("Everything is handed in."),
+        "nothing": language.say("Nothing is handed in yet."),
+        "closed": language.say("The class is closed; your work stays here and in the file."),
+        "approval": language.say("Wait until your teacher lets you in."),
+        "refused": language.say("The class refused a part. Press Hand in and send the file to your teacher."),
+        "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
+        "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
     })
 }
 

@@ -169,3 +169,36 @@ test("each student has the assigned values of the own seat: those of `class assi
     await stop(lesson);
   }
 });
+
+test("a browser that keeps a seat of an earlier class is told, and joins the present one", async () => {
+  const lesson = await start();
+  let present = lesson;
+  try {
+    const address = `${lesson.base}/d/utube.md`;
+    const student = await visitor();
+    await join(student, lesson.code, address);
+    await answer(student, "0.51");
+    await status(student, /^Everything is handed in/);
+    await stop(lesson);
+    present = await start({ ...lesson, begin: "--new" });
+    await status(student, /belongs to an earlier class/, 60);
+    const teacher = await visitor();
+    await teach(teacher, present);
+    await student.getByLabel("Code of the class").fill(present.code);
+    await student.getByRole("button", { name: "Join" }).click();
+    await status(student, /^Everything is handed in/);
+    await shows(teacher, /0\.51 instead of/);
+    // A code that was scanned is typed already.
+    const other = await visitor();
+    await join(other, present.code, address);
+    await stop(present);
+    present = await start({ ...lesson, begin: "--new" });
+    await other.goto("about:blank");
+    await other.goto(`${address}#join=${present.code}`);
+    await status(other, /belongs to an earlier class/, 60);
+    assert.equal(await other.getByLabel("Code of the class").inputValue(), present.code);
+    assert.deepEqual(faults, []);
+  } finally {
+    await stop(present);
+  }
+});

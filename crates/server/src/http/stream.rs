@@ -67,14 +67,15 @@ pub async fn of_student(
     let place = server.limits.stream((class.id().to_owned(), seat), network).ok_or(answer::MANY)?;
     let mut receiver = class.follow_settings();
     receiver.mark_changed();
-    Ok(events(stream::unfold((class, receiver, place), move |(class, mut receiver, place)| async move {
+    let from = (server, class, receiver, place);
+    Ok(events(stream::unfold(from, move |(server, class, mut receiver, place)| async move {
         if !changed(&mut receiver).await? {
             // The seat may have been erased.
             class.seat(seat)?;
-            return Some((Ok(Bytes::from_static(b":\n\n")), (class, receiver, place)));
+            return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, place)));
         }
-        let state = student::state_of(&class, seat)?;
-        Some((Ok(message(None, &state)), (class, receiver, place)))
+        let state = student::state_of(&server, &class, seat)?;
+        Some((Ok(message(None, &state)), (server, class, receiver, place)))
     })))
 }
 

@@ -77,16 +77,19 @@ pub async fn join(
     }
 }
 
-/// State of the class for a student; `None` if the seat was erased.
-pub fn state_of(class: &Class, seat: u32) -> Option<Value> {
+/// State of the class for a student; `None` if the seat was erased. A class is `earlier` if another one was begun after it.
+pub fn state_of(server: &Server, class: &Class, seat: u32) -> Option<Value> {
     let (settings, now) = (class.settings(), now());
     let approved = class.seat(seat)?.approved;
-    Some(json!({ "now": now, "accepts": settings.accepts(now), "approved": approved, "settings": settings }))
+    let is_earlier = server.classes.latest().is_some_and(|latest| *latest != *class);
+    Some(json!({
+        "now": now, "accepts": settings.accepts(now), "approved": approved, "earlier": is_earlier, "settings": settings,
+    }))
 }
 
 /// State of the class, for pages that cannot have a stream.
-pub async fn state(Student(class, seat): Student) -> Response {
-    match state_of(&class, seat) {
+pub async fn state(State(server): State<Arc<Server>>, Student(class, seat): Student) -> Response {
+    match state_of(&server, &class, seat) {
         Some(state) => answer::json(state),
         None => refuse(StatusCode::UNAUTHORIZED, "token").into_response(),
     }

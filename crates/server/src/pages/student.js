@@ -155,7 +155,7 @@
     if (load(key, null)?.sent) return;
     // The server knows by the number that it has the answers already, when they are sent again because its reply was lost.
     const id = crypto.getRandomValues(new Uint32Array(4)).join("-");
-    keep(key, { text, id, due: Date.now() + 60000 + Math.random() * 540000 });
+    keep(key, { text, id, token: seat.survey, due: Date.now() + 60000 + Math.random() * 540000 });
     said = words().sheet;
     show();
   };
@@ -163,9 +163,10 @@
     for (const key of storage.keys("sheet:")) {
       const one = load(key, { sent: true });
       if (!seat || one.sent || one.due > Date.now()) continue;
+      const token = one.token || seat.survey;
       try {
-        const response = await ask(`/api/survey/${one.id}`, { body: one.text, token: seat.survey });
-        if (response.ok) keep(key, { sent: true });
+        const response = await ask(`/api/survey/${one.id}`, { body: one.text, token });
+        if (response.ok) keep(key, { sent: true, token });
       } catch { /* It is tried again. */ }
     }
   }, 15000);
@@ -207,11 +208,22 @@
         said = ["closed", "full", "many"].includes(reason) ? words()[reason] : response.status === 429 ? words().code_wait : reason === "code" ? words().code_wrong : words().unreachable;
         return show();
       }
+      const isOther = Boolean(state?.earlier);
       seat = await response.json();
+      [state, following, problem, said] = [null, null, "", ""];
       keep("seat", seat);
       // All of the work here is handed in from the new seat, too.
       storage.dropAll("known:");
       storage.dropAll("learned:");
+      // Another class may have other documents: its pages make their parts themselves.
+      if (isOther) storage.dropAll("waiting:");
+      // Each class counts the answers to its own surveys.
+      for (const key of storage.keys("sheet:")) {
+        const sheet = load(key, {});
+        if (!sheet.token || sheet.token === seat.survey) continue;
+        storage.drop(key);
+        if (!sheet.sent) keep(`sheet:${sheet.id}`, sheet);
+      }
       try { localStorage.setItem("meniscus:hand-in-name", seat.pseudonym); } catch { /* The form asks for a name. */ }
       if (storage.stores()) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
       start();
@@ -247,7 +259,7 @@
     const waits = count === 0 ? "" : count === 1 ? own.waits_one : own.waits.replace("#", count);
     const closes = state?.settings.closes;
     const accepts = !state || (state.accepts && (!closes || Date.now() + offset < closes));
-    const reason = state && !state.approved ? own.approval : !accepts ? own.closed : problem ? own[problem] : "";
+    const reason = state?.earlier ? own.earlier : state && !state.approved ? own.approval : !accepts ? own.closed : problem ? own[problem] : "";
     const whole = storage.keys("known:").length ? own.all_in : own.nothing;
     return [waits || (reason ? "" : whole), reason, storage.stores() ? "" : own.keep_open].filter(Boolean).join(" ");
   };
@@ -256,7 +268,7 @@
   const show = () => {
     const own = words();
     const settings = state?.settings || {};
-    const form = JSON.stringify([seat && seat.seat, document.documentElement.lang, settings.pace, settings.results || settings.others]);
+    const form = JSON.stringify([seat && seat.seat, document.documentElement.lang, settings.pace, settings.results || settings.others, state?.earlier]);
     if (form !== built) { built = form; build(own, settings); }
     const left = settings.closes ? Math.ceil((settings.closes - Date.now() - offset) / 60000) : 0;
     const text = seat ? [line(), left > 0 ? own.closes.replace("#", left) : "", said].filter(Boolean).join(" ") : said;
@@ -273,16 +285,18 @@
   };
   const build = (own, settings) => {
     bar.setAttribute("aria-label", own.region);
-    if (!seat) {
-      const code = make("input", { className: "code", id: "class-code", maxLength: 16, autocomplete: "off", spellcheck: false, required: true });
-      code.value = config.code || scanned || "";
-      const form = make("form", { onsubmit: (event) => { event.preventDefault(); join(code.value); } },
+    const joining = (typed) => {
+      const code = make("input", { className: "code", id: "class-code", maxLength: 16, autocomplete: "off", spellcheck: false, required: true, value: typed });
+      return make("form", { onsubmit: (event) => { event.preventDefault(); join(code.value); } },
         make("label", {}, own.code, code), make("button", { textContent: own.join }));
+    };
+    if (!seat) {
       bar.classList.remove("seated");
-      return bar.replaceChildren(form, stored(), status, make("p", { className: "note", textContent: own.joining }));
+      return bar.replaceChildren(joining(config.code || scanned || ""), stored(), status, make("p", { className: "note", textContent: own.joining }));
     }
     bar.classList.add("seated");
     const parts = [make("strong", { textContent: seat.pseudonym }), status];
+    if (state?.earlier) parts.push(joining(scanned || ""));
     if (settings.pace && settings.pace !== config.document) {
       parts.push(make("a", { href: `${server}/d/${encodeURIComponent(settings.pace)}`, textContent: `${own.pace} ${settings.pace}` }));
     }

@@ -14,7 +14,7 @@ use server::class::{Class, Classes};
 use server::http::{Log, Place, Server};
 use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::{Location, back_up, restore};
-use server::{Fault, Store, export, listen, now, qr, write_private_files};
+use server::{Fault, Store, export, listen, now, qr};
 use std::future::Future;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
@@ -37,7 +37,6 @@ const LOOK: Duration = Duration::from_secs(3600);
 /// # Errors
 /// A document, a store or a port cannot be used.
 pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
-    write_private_files();
     match command {
         ClassServer::Serve(arguments) => serve(arguments, terminal),
         ClassServer::Backup(Backup { place, output }) => blocking(async {

@@ -1,6 +1,8 @@
 //! `meniscus class export`, `backup`, `erase` and `restore`.
 
 use crate::common::meniscus;
+#[cfg(unix)]
+use crate::common::mode;
 use serde_json::json;
 use server::class::Classes;
 use server::fold::PART;
@@ -56,12 +58,12 @@ fn a_store_is_exported_backed_up_erased_and_restored() {
     };
     assert_eq!(run(&["export", "--store", file, "--output", out]), "files written: 3\n");
     #[cfg(unix)]
-    assert_eq!(mode(out), 0o700);
+    assert_eq!(mode(out.as_ref()), 0o700);
     let before = texts();
     assert!(before[0].contains("# first") && before[1].contains("# second") && before[2] == "{}", "{before:?}");
     run(&["backup", "--store", file, "--output", backup]);
     #[cfg(unix)]
-    assert_eq!(mode(backup), 0o600);
+    assert_eq!(mode(backup.as_ref()), 0o600);
     run(&["erase", "--store", file, "--seat", "1"]);
     let restored = run(&["restore", backup, "--store", file]);
     assert!(restored.starts_with("parts restored: 0\n") && restored.contains("prints a new link"), "{restored}");
@@ -69,12 +71,6 @@ fn a_store_is_exported_backed_up_erased_and_restored() {
     assert_eq!(texts(), before[1..]);
     run(&["erase", "--store", file, "--all"]);
     assert_eq!(meniscus(&["class", "export", "--store", file, "--output", out]).code, 2);
-}
-
-/// Permissions of a file or folder.
-#[cfg(unix)]
-fn mode(path: &str) -> u32 {
-    std::os::unix::fs::PermissionsExt::mode(&std::fs::metadata(path).unwrap().permissions()) & 0o777
 }
 
 /// A store with two classes: the second one is the latest.

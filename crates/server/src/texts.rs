@@ -64,6 +64,10 @@ fn handing_in(language: Language) -> Value {
         "closed": language.say("The class is closed; your work stays here and in the file."),
         "approval": language.say("Wait until your teacher lets you in."),
         "refused": language.say("The class refused a part. Press Hand in and send the file to your teacher."),
+        "slow": language.say("Sending took too long. Check the network; your work stays here, and less is sent at once."),
+        "large": language.say(
+            "A part of your work is too large for the class (8 MB). Press Hand in and send the file to your teacher."),
+        "seat_full": language.say("Your seat has no more room. Press Hand in and send the file to your teacher."),
         "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
         "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
     })

@@ -49,7 +49,12 @@
     return true;
   };
 
-  const LARGEST = 6 << 20;
+  // Less is sent at once where a request was too large, or took too long. What is too large by itself waits, and the rest goes.
+  const LARGEST = 6 << 20, SMALLEST = 1 << 14, MOST = 5000;
+  let limit = LARGEST;
+  const tooLarge = new Set();
+  // Reasons of a refusal for which there is a sentence.
+  const REASONS = ["closed", "approval", "store", "slow", "large", "seat_full"];
   const FIRST = 1000, LONGEST = 30000;
   let sending = false, pause = FIRST, timer = 0;
   const later = () => {
@@ -69,11 +74,11 @@
       if (learned) timer = setTimeout(send, FIRST); else later();
       return;
     }
-    const waiting = storage.waiting();
+    const waiting = storage.waiting().filter(({ key }) => !tooLarge.has(key));
     if (!waiting.length) return problem === "unreachable" || problem === "store" ? again() : undefined;
     sending = true;
-    let size = 0;
-    const batch = waiting.filter((one, at) => (size += one.value.length) < LARGEST || at === 0);
+    let size = waiting[0].value.length;
+    const batch = waiting.filter((one, at) => at === 0 || ((size += one.value.length) < limit && at < MOST));
     const body = `{"events":[${batch.map((one) => `{"seq":${one.seq},"document":${JSON.stringify(one.document)},` +
       `"part":${JSON.stringify(one.part)},"value":${one.value}}`).join(",")}]}`;
     try {
@@ -83,7 +88,7 @@
         storage.acknowledge(batch, highest);
         // Another device of this seat has handed in under a greater number, and its parts count: both are merged.
         if (batch.every(({ seq }) => seq < highest)) storage.drop(LEARNED);
-        [problem, pause] = ["", FIRST];
+        [problem, pause, limit] = [storage.keys("waiting:").some((key) => tooLarge.has(key)) ? "large" : "", FIRST, Math.min(2 * limit, LARGEST)];
         if (learns() || storage.keys("waiting:").length) timer = setTimeout(send, 0);
       } else if (response.status === 409) {
         // Another device of this seat has used the numbers: what it has handed in is merged first.
@@ -94,7 +99,9 @@
         leave(words().token);
       } else {
         const reason = await why(response);
-        problem = ["closed", "approval", "store"].includes(reason) ? reason : response.status < 500 && response.status !== 429 ? "refused" : "unreachable";
+        if (["slow", "large"].includes(reason)) limit = Math.max(limit / 2, SMALLEST);
+        if (reason === "large" && batch.length === 1) tooLarge.add(batch[0].key);
+        problem = REASONS.includes(reason) ? reason : response.status < 500 && response.status !== 429 ? "refused" : "unreachable";
         later();
       }
     } catch {

@@ -162,21 +162,28 @@ pub async fn others(State(server): State<Arc<Server>>, Student(class, seat): Stu
     Ok(answer::json(tally.for_student(seat, &settings)))
 }
 
-/// Stores the answers of one person to a survey, without seat and time. The page makes the random number in the address: sent again
-/// with the same one, they add nothing. They may arrive after the class has been closed, since they are sent at a random later time.
+/// Answers of one person to a survey.
+#[derive(Deserialize)]
+struct Answers {
+    /// Random number that the page makes. It is no part of the address, which a proxy may log beside that of the student.
+    id: String,
+    sheet: Box<RawValue>,
+}
+
+/// Stores the answers of one person to a survey, without seat and time: sent again with the same number, they add nothing. They may
+/// arrive after the class has been closed, since they are sent at a random later time.
 pub async fn survey(
     State(server): State<Arc<Server>>,
     Someone(class): Someone,
     Origin(network): Origin,
-    Path(number): Path<String>,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let room = server.limits.body(None, network);
-    let sheet: Box<RawValue> = answer::large(room, request, LONGEST_SHEET).await?;
+    let Answers { id, sheet } = answer::large(room, request, LONGEST_SHEET).await?;
     let sheet = sheet.get().to_owned();
     if Sheet::read(&sheet).is_err() {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
     }
-    server.classes.store().add_sheet(class.id().to_owned(), codes::identifier(&number), sheet).await?;
+    server.classes.store().add_sheet(class.id().to_owned(), codes::identifier(&id), sheet).await?;
     Ok(answer::json(json!({})))
 }

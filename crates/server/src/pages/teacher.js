@@ -30,7 +30,7 @@
       const owner = seats.find((one) => one.seat === seat);
       if (!owner) continue;
       try {
-        const response = await ask(`/api/teacher/hand-in/${seat}/${encodeURIComponent(name)}`);
+        const response = await ask("/api/teacher/hand-in", { body: JSON.stringify({ seat, document: name }) });
         if (!response.ok) continue;
         const file = new File([await response.blob()], about.documents.length > 1 ? `${owner.pseudonym} (${name}).hand-in` : `${owner.pseudonym}.hand-in`);
         dispatchEvent(new CustomEvent("class-hand-in", { detail: file }));

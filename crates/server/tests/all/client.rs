@@ -106,6 +106,16 @@ impl Running {
         send(self.address, method, path, &[("Host", "127.0.0.1"), ("Authorization", &format!("Bearer {token}"))], body)
     }
 
+    /// The hand-in of a seat for `tube.md`, as the teacher gets it.
+    pub fn hand_in(&self, seat: u32, teacher: &str) -> Answer {
+        self.post("/api/teacher/hand-in", teacher, &json!({ "seat": seat, "document": "tube.md" }))
+    }
+
+    /// Sends answers to a survey under this number.
+    pub fn survey(&self, token: &str, id: &str, sheet: &Value) -> Answer {
+        self.post("/api/survey", token, &json!({ "id": id, "sheet": sheet }))
+    }
+
     /// Token of a new student.
     pub fn join(&self) -> Value {
         self.post("/api/join", "", &json!({ "code": self.class.code() })).ok()

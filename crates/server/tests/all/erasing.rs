@@ -34,7 +34,7 @@ fn no_text_of_an_erased_seat_stays(storage: &Storage) {
     assert!(!storage.holds(SECRET));
     assert!(!storage.holds(joined[0]["pseudonym"].as_str().unwrap()));
     assert!(storage.holds("another"));
-    assert_eq!(running.get("/api/teacher/hand-in/2/tube.md", &teacher).status, 200);
+    assert_eq!(running.hand_in(2, &teacher).status, 200);
 }
 
 fn a_backup_does_not_bring_an_erased_seat_back(storage: &Storage) {
@@ -113,7 +113,7 @@ fn nothing_is_stored_of_a_class_that_was_erased_beside_a_server(storage: &Storag
     assert_eq!(running.post("/api/events", token, &events).why(), gone);
     assert_eq!(running.get("/api/state", token).why(), gone);
     assert_eq!(running.get("/api/teacher/class", &teacher).why(), gone);
-    assert_eq!(running.post("/api/survey/1-1", survey, &json!({ "meniscus survey": 1, "items": [] })).why(), gone);
+    assert_eq!(running.survey(survey, "1-1", &json!({ "meniscus survey": 1, "items": [] })).why(), gone);
     for code in [running.class.code(), joined["key"].as_str().unwrap().to_owned()] {
         assert_eq!(running.post("/api/join", "", &json!({ "code": code })).why(), (404, "code".to_owned()));
     }

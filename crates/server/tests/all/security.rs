@@ -73,15 +73,15 @@ fn tokens_open_their_own_class_and_seat_alone(storage: &Storage) {
     let student = running.join()["token"].as_str().unwrap().to_owned();
     let teacher = running.teacher();
     running.post("/api/events", &student, &json!({ "events": parts(1, "4.5", "correct") })).ok();
-    for path in ["class", "events?since=0", "stream?since=0", "hand-in/1/tube.md", "sheets"] {
+    for path in ["class", "events?since=0", "stream?since=0", "sheets"] {
         let path = format!("/api/teacher/{path}");
         assert_eq!(running.get(&path, &student).why(), (403, "token".to_owned()), "{path}");
         assert_eq!(running.get(&path, "").why(), (401, "token".to_owned()), "{path}");
         assert_eq!(running.get(&path, &"A".repeat(43)).status, 401, "{path}");
     }
-    for path in ["settings", "approve", "erase", "erase-unused", "renew-code"] {
+    for path in ["settings", "approve", "erase", "erase-unused", "renew-code", "hand-in"] {
         let path = format!("/api/teacher/{path}");
-        assert_eq!(running.post(&path, &student, &json!({ "seat": 1 })).status, 403, "{path}");
+        assert_eq!(running.post(&path, &student, &json!({ "seat": 1, "document": "tube.md" })).status, 403, "{path}");
     }
     for path in ["state", "stream", "mine", "others", "file/tube.md"] {
         assert_eq!(running.get(&format!("/api/{path}"), &teacher).status, 403, "{path}");
@@ -92,10 +92,10 @@ fn tokens_open_their_own_class_and_seat_alone(storage: &Storage) {
     let link = block(classes.link(&other)).unwrap();
     let others = running.post("/api/teacher/exchange", "", &json!({ "link": link })).ok()["token"].clone();
     let others = others.as_str().unwrap();
-    assert_eq!(running.get("/api/teacher/hand-in/1/tube.md", others).status, 404);
+    assert_eq!(running.hand_in(1, others).status, 404);
     assert_eq!(running.get("/api/teacher/events?since=0", others).ok()["events"], json!([]));
     assert_eq!(running.post("/api/teacher/erase", others, &json!({ "seat": 1 })).status, 404);
-    assert_eq!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).status, 200);
+    assert_eq!(running.hand_in(1, &teacher).status, 200);
 }
 
 fn the_link_of_the_teacher_works_once(storage: &Storage) {

@@ -68,6 +68,7 @@ fn handing_in(language: Language) -> Value {
         "large": language.say(
             "A part of your work is too large for the class (8 MB). Press Hand in and send the file to your teacher."),
         "seat_full": language.say("Your seat has no more room. Press Hand in and send the file to your teacher."),
+        "class_full": language.say("The class has no more room. Tell your teacher; your work stays here and is sent again."),
         "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
         "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
     })
@@ -107,6 +108,9 @@ fn teacher(language: Language) -> Value {
         "waiting": language.say("waits"),
         "live": language.say("Live"),
         "lost": language.say("No connection to the server; it is tried again."),
+        "room_near": language.say("The class has used # % of its room."),
+        "room_full": language.say(
+            "The class has no more room (# MB): what students hand in waits in their browsers. Erase seats, or start the server again with a larger --room."),
         "sheets": language.say("Show the survey"),
     })
 }

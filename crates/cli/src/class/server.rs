@@ -157,6 +157,7 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
         let fails = |fault| about(&location, &fault);
         let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
+        let classes = classes.with_room(arguments.room << 20);
         let known = classes.store().classes().await.map_err(fails)?;
         if let Some(class) = known.first() {
             let line = stored::line(classes.store(), class, terminal.language).await.map_err(fails)?;

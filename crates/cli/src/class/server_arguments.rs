@@ -1,6 +1,7 @@
 //! Arguments of the commands for a class server.
 
 use clap::{Args, Subcommand};
+use server::class::MOST_OF_CLASS;
 use std::net::IpAddr;
 use std::path::PathBuf;
 
@@ -64,6 +65,10 @@ pub struct ServeClass {
     /// Days after which a new class is erased
     #[arg(long, value_name = "DAYS", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=3650))]
     pub keep: u32,
+
+    /// Most that each class stores, in MiB; what comes beyond it waits in the browsers
+    #[arg(long, value_name = "MIB", default_value_t = MOST_OF_CLASS >> 20, value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
+    pub room: u64,
 
     /// Begin a new class even if the store has one
     #[arg(long)]

@@ -88,6 +88,7 @@ impl Classes {
                 state.seats.len() < before
             };
             if is_over || has_fewer {
+                locked(&class.state).is_full = false;
                 class.tell_of_seats();
                 // Streams of these seats end.
                 class.settings.send_modify(|_| {});

@@ -67,6 +67,7 @@ impl From<Fault> for Refusal {
         match fault {
             Fault::Taken(highest) => Self { highest: Some(highest), ..refuse(StatusCode::CONFLICT, "taken") },
             Fault::SeatFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "seat_full"),
+            Fault::ClassFull => refuse(StatusCode::INSUFFICIENT_STORAGE, "class_full"),
             Fault::SheetsFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "full"),
             Fault::Missing => refuse(StatusCode::NOT_FOUND, "missing"),
             Fault::Away(_) => refuse(StatusCode::SERVICE_UNAVAILABLE, "store"),

@@ -6,7 +6,7 @@ use super::state::Server;
 use crate::class::{Class, NotJoined};
 use crate::codes;
 use crate::fold::{PART, Part};
-use crate::store::{Fault, NewEvent};
+use crate::store::NewEvent;
 use crate::time::now;
 use axum::body::Body;
 use axum::extract::{Path, Request, State};
@@ -20,6 +20,9 @@ use std::sync::Arc;
 
 /// Maximum number of events in one request.
 const MOST_EVENTS: usize = 5000;
+
+/// Maximum size of what stands around a sheet in its request, in bytes.
+const AROUND: usize = 1 << 10;
 
 /// List of the documents, or the only one. The fragment with the code of a class goes along.
 pub async fn index(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
@@ -128,14 +131,7 @@ pub async fn events(
     let Some(events) = events.filter(|events| (1..=MOST_EVENTS).contains(&events.len())) else {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
     };
-    let bytes: usize = events.iter().map(|event| event.body.len()).sum();
-    if !class.has_room(seat, bytes as u64) {
-        return Err(Fault::SeatFull.into());
-    }
-    let outcome = server.classes.store().append(class.id().to_owned(), seat, at, events).await?;
-    if outcome.added > 0 {
-        class.note_size(seat, bytes as u64);
-    }
+    let outcome = server.classes.append(&class, seat, at, events).await?;
     class.tell(outcome.number);
     Ok(answer::json(json!({ "highest": outcome.highest, "now": at })))
 }
@@ -179,11 +175,11 @@ pub async fn survey(
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let room = server.limits.body(None, network);
-    let Answers { id, sheet } = answer::large(room, request, LONGEST_SHEET).await?;
+    let Answers { id, sheet } = answer::large(room, request, LONGEST_SHEET + AROUND).await?;
     let sheet = sheet.get().to_owned();
     if Sheet::read(&sheet).is_err() {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
     }
-    server.classes.store().add_sheet(class.id().to_owned(), codes::identifier(&id), sheet).await?;
+    server.classes.add_sheet(&class, codes::identifier(&id), sheet).await?;
     Ok(answer::json(json!({})))
 }

@@ -54,7 +54,7 @@
   let limit = LARGEST;
   const tooLarge = new Set();
   // Reasons of a refusal for which there is a sentence.
-  const REASONS = ["closed", "approval", "store", "slow", "large", "seat_full"];
+  const REASONS = ["closed", "approval", "store", "slow", "large", "seat_full", "class_full"];
   const FIRST = 1000, LONGEST = 30000;
   let sending = false, pause = FIRST, timer = 0;
   const later = () => {

@@ -33,7 +33,7 @@ mod taking;
 pub use backup::{back_up, restore};
 pub use fault::Fault;
 pub use location::Location;
-pub use rows::{ClassRow, Cursor, EventRow, NewEvent, NewSeat, News, Outcome, SeatRow};
+pub use rows::{ClassRow, Cursor, EventRow, NewEvent, NewSeat, News, Outcome, ROW, SeatRow};
 pub use sqlite::files_beside;
 
 use crate::codes::Hash;
@@ -196,11 +196,12 @@ impl Store {
         of!(self, append_of_teacher(class, at, kind, body))
     }
 
-    /// Stores the answers of one person to a survey. Answers with an identifier that is stored already add nothing.
+    /// Stores the answers of one person to a survey. Answers with an identifier that is stored already add nothing. Returns true if these
+    /// were new.
     ///
     /// # Errors
-    /// The store cannot be written.
-    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
+    /// The class has as many as it may; the store cannot be written.
+    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<bool, Fault> {
         of!(self, add_sheet(class, id, body))
     }
 
@@ -220,7 +221,7 @@ impl Store {
         of!(self, seats(class))
     }
 
-    /// Sizes of what the seats of a class have stored, in bytes.
+    /// Sizes of what the seats of a class have stored, in bytes; seat 0 has what belongs to no seat.
     ///
     /// # Errors
     /// The store cannot be read.

@@ -191,7 +191,7 @@ fn every_refusal_of_a_hand_in_has_its_own_sentence() {
     let config: Value = serde_json::from_str(config).unwrap();
     let script = page.split("const REASONS = [").nth(1).unwrap().split(']').next().unwrap();
     let reasons: Vec<&str> = script.split(", ").map(|reason| reason.trim_matches('"')).collect();
-    for reason in ["slow", "large", "seat_full"] {
+    for reason in ["slow", "large", "seat_full", "class_full"] {
         assert!(reasons.contains(&reason), "{reason}");
     }
     for language in ["en", "es", "pt"] {

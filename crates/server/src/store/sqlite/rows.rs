@@ -1,7 +1,9 @@
 //! Reading and writing of rows.
 
 use super::super::fault::Fault;
-use super::super::rows::{ClassRow, Cursor, EventRow, MOST_SHEETS, NewEvent, NewSeat, News, Outcome, SeatRow, signed};
+use super::super::rows::{
+    ClassRow, Cursor, EventRow, MOST_SHEETS, NewEvent, NewSeat, News, Outcome, SIZES, SeatRow, signed,
+};
 use super::Sqlite;
 use crate::codes::Hash;
 use rusqlite::{Connection, OptionalExtension, Row, params};
@@ -153,15 +155,14 @@ impl Sqlite {
         .await
     }
 
-    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
+    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<bool, Fault> {
         self.change(move |connection| {
             exists(connection, &class, 0)?;
             let full = "SELECT count(*) >= ?3 AND NOT EXISTS(SELECT 1 FROM sheet WHERE class=?1 AND id=?2) FROM sheet WHERE class=?1";
             if connection.query_row(full, params![class, id, MOST_SHEETS], |row| row.get(0))? {
                 return Err(Fault::SheetsFull);
             }
-            connection.execute("INSERT OR IGNORE INTO sheet VALUES(?,?,?)", params![class, id, body])?;
-            Ok(())
+            Ok(connection.execute("INSERT OR IGNORE INTO sheet VALUES(?,?,?)", params![class, id, body])? > 0)
         })
         .await
     }
@@ -198,8 +199,7 @@ impl Sqlite {
 
     pub async fn sizes(&self, class: String) -> Result<Vec<(u32, u64)>, Fault> {
         self.read(move |connection| {
-            let mut query =
-                connection.prepare("SELECT seat, sum(octet_length(body)) FROM event WHERE class=? GROUP BY seat")?;
+            let mut query = connection.prepare(SIZES)?;
             let rows = query.query_map([class], |row| Ok((row.get(0)?, unsigned(row, 1)?)))?;
             Ok(rows.collect::<Result<_, _>>()?)
         })

@@ -47,6 +47,11 @@ fn student(language: Language) -> Value {
         "erase": language.say("Erase what is stored of me"),
         "erase_sure": language.say("Everything that you handed in to this class will be erased. Go on?"),
         "erased": language.say("Erased."),
+        "leave": language.say("Leave this computer"),
+        "leave_sure": language.say(
+            "What is left is handed in. Then your seat, your key and all of your work are removed from this browser; the class keeps what is handed in. Note the key first if you want to go on elsewhere, and delete the file for this class if you have saved it here. Go on?"),
+        "leaving": language.say("Handing in ..."),
+        "leave_lost": language.say("Not handed in yet: #. This is lost if you leave now. Leave nevertheless?"),
         "sheet": language.say("Your answers to the survey are sent without your seat, at a random time within ten minutes."),
         "others": language.say("Answers of the class"),
         "question": language.say("Question"),
@@ -125,7 +130,7 @@ pub fn stored(language: Language) -> [&'static str; 8] {
             "Answers to surveys are stored apart, without seat and without time. The server cannot tell which are yours, so they are erased with the class only.",
             "It is stored on the computer on which the class was started, or in a database that this computer uses. After the number of days that the teacher chose (30 if nothing was said) everything is erased there as soon as the server runs, and a backup that is restored later does not bring it back. Backups and copies that the teacher has made last until they are deleted.",
             "My seat saves what is stored of you as a file, and erases it from the server at any time. Backups, copies, and a dashboard that is open meanwhile keep it.",
-            "The browser keeps your work, the parts that are not handed in yet, and the key of your seat; the work stays there after erasing. On a computer that others use, clear the data of this site at the end. There are no cookies.",
+            "The browser keeps your work, the parts that are not handed in yet, and the key of your seat; the work stays there after erasing. On a computer that others use, press Leave this computer in My seat at the end: it removes all of this. There are no cookies.",
             "Names stay on the teacher's device, if the teacher types them beside the pseudonyms.",
         ],
     )

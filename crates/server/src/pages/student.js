@@ -166,7 +166,7 @@
     said = words().sheet;
     show();
   };
-  setInterval(async () => {
+  const sendSheets = async () => {
     for (const key of storage.keys("sheet:")) {
       const one = load(key, { sent: true });
       if (!seat || one.sent || one.due > Date.now()) continue;
@@ -176,7 +176,8 @@
         if (response.ok) keep(key, { sent: true, token });
       } catch { /* It is tried again. */ }
     }
-  }, 15000);
+  };
+  setInterval(sendSheets, 15000);
 
   // State of the class: as a stream, or by asking where a proxy keeps streams back.
   let following = null;
@@ -224,13 +225,7 @@
       storage.dropAll("learned:");
       // Another class may have other documents: its pages make their parts themselves.
       if (isOther) storage.dropAll("waiting:");
-      // Each class counts the answers to its own surveys.
-      for (const key of storage.keys("sheet:")) {
-        const sheet = load(key, {});
-        if (!sheet.token || sheet.token === seat.survey) continue;
-        storage.drop(key);
-        if (!sheet.sent) keep(`sheet:${sheet.id}`, sheet);
-      }
+      storage.changeClass(seat.survey);
       try { localStorage.setItem("meniscus:hand-in-name", seat.pseudonym); } catch { /* The form asks for a name. */ }
       if (storage.stores()) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
       start();
@@ -246,6 +241,46 @@
     storage.dropAll("learned:");
     show();
   };
+
+  // *Leave this computer*: hands in what waits, then removes seat, work and key from the browser, also for the other tabs of this address.
+  const PATIENCE = 20000, LOOK = 250;
+  const settle = async () => {
+    const until = Date.now() + PATIENCE;
+    const wait = () => new Promise((done) => setTimeout(done, LOOK));
+    while (making && Date.now() < until) await wait();
+    rested = 0;
+    await byItself();
+    for (const key of storage.keys("sheet:")) if (!load(key, {}).sent) keep(key, { ...load(key, {}), due: 0 });
+    await sendSheets();
+    while (storage.rest() > 0 && seat && Date.now() < until) {
+      pause = FIRST;
+      send();
+      await wait();
+    }
+  };
+  const leaveComputer = async () => {
+    if (!confirm(words().leave_sure)) return;
+    said = words().leaving;
+    show();
+    try { await settle(); } catch { /* What is left is counted below. */ }
+    said = "";
+    show();
+    if (storage.rest() > 0 && !confirm(words().leave_lost.replace("#", storage.rest()))) return;
+    gone();
+  };
+  const gone = () => {
+    [seat, following] = [null, null];
+    globalThis.classPage?.leave();
+    storage.clear();
+    // The file for a class has the seat in itself.
+    if (config.own) keep("seat", null);
+    // Not a reload, after which browsers fill fields in again.
+    history.replaceState(null, "", location.pathname + location.search);
+    location.replace(location.href);
+  };
+  storage.whenDropped("seat", () => { if (seat) gone(); });
+  // A page that comes back from the browser's memory may be one that was left.
+  addEventListener("pageshow", ({ persisted }) => { if (persisted && seat && load("seat", config.own)?.token !== seat.token) gone(); });
 
   const save = async (path, name, change = (text) => text) => {
     let response;
@@ -330,7 +365,7 @@
       if (!confirm(own.erase_sure)) return;
       try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { storage.dropAll("waiting:"); storage.dropAll("sheet:"); leave(own.erased); } }
       catch { said = own.unreachable; show(); }
-    }), stored());
+    }), button(own.leave, leaveComputer), stored());
     parts.push(fold("class-mine", own.more, mine));
     bar.replaceChildren(...parts);
   };

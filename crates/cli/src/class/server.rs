@@ -39,13 +39,7 @@ const LOOK: Duration = Duration::from_secs(3600);
 pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
     match command {
         ClassServer::Serve(arguments) => serve(arguments, terminal),
-        ClassServer::Backup(Backup { place, output }) => blocking(async {
-            let location = location(place)?;
-            back_up(&location, output).await.map_err(|fault| match fault {
-                Fault::Exists => Failure::about(output, &fault.words()),
-                fault => about(&location, &fault),
-            })
-        }),
+        ClassServer::Backup(arguments) => blocking(backup(arguments)),
         ClassServer::Restore(Restore { backup, place }) => blocking(async {
             let location = location(place)?;
             let events = restore(backup, &location, now()).await.map_err(|fault| match fault {
@@ -84,6 +78,22 @@ fn network(error: &io::Error) -> Failure {
     Failure::in_words(words!("cannot serve: {}", error), words("choose another port with `--port`"))
 }
 
+async fn backup(Backup { place, class, output }: &Backup) -> Result<(), Failure> {
+    let location = location(place)?;
+    let fails = |fault| about(&location, &fault);
+    let class = match class {
+        None => None,
+        Some(name) => {
+            let store = Store::existing(&location).await.map_err(fails)?;
+            Some(stored::chosen(store.classes().await.map_err(fails)?, Some(name), fails)?.class)
+        }
+    };
+    back_up(&location, output, class.as_deref()).await.map_err(|fault| match fault {
+        Fault::Exists => Failure::about(output, &fault.words()),
+        fault => fails(fault),
+    })
+}
+
 async fn erase(arguments: &Erase) -> Result<(), Failure> {
     let location = location(&arguments.place)?;
     let fails = |fault| about(&location, &fault);
@@ -95,7 +105,11 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
             store.erase_seats(class.class, vec![seat]).await.map_err(fails)?;
         }
         None => {
-            for class in classes {
+            let gone = match &arguments.class {
+                Some(name) => vec![stored::chosen(classes, Some(name), fails)?],
+                None => classes,
+            };
+            for class in gone {
                 store.erase_class(class.class).await.map_err(fails)?;
             }
         }

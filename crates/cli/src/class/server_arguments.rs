@@ -14,7 +14,7 @@ pub enum ClassServer {
     /// Serve documents to a class: students join with a code, and the dashboard fills while they work
     #[command(after_help = SERVE_EXAMPLES)]
     Serve(ServeClass),
-    /// Write all classes of a store into a new file; a server may run meanwhile
+    /// Write the classes of a store, or one of them, into a new file; a server may run meanwhile
     Backup(Backup),
     /// Take classes from a backup; erased seats, classes whose time is over, and devices of teachers are left out
     Restore(Restore),
@@ -105,6 +105,10 @@ pub struct Backup {
     #[command(flatten)]
     pub place: StorePlace,
 
+    /// Code or title of a class [default: every class of the store]
+    #[arg(long, value_name = "NAME")]
+    pub class: Option<String>,
+
     /// The new file
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
@@ -131,11 +135,11 @@ pub struct Erase {
     #[arg(long, value_name = "N", required_unless_present = "all", conflicts_with = "all")]
     pub seat: Option<u32>,
 
-    /// Code or title of the class of the seat [default: the latest class]
-    #[arg(long, value_name = "NAME", conflicts_with = "all")]
+    /// Code or title of a class [default: the latest class with --seat, every class with --all]
+    #[arg(long, value_name = "NAME")]
     pub class: Option<String>,
 
-    /// Erase all classes of the store
+    /// Erase classes with all that is in them
     #[arg(long)]
     pub all: bool,
 }

@@ -91,6 +91,17 @@ fn every_class_of_a_store_can_be_reached_and_none_is_continued_unasked() {
     let export = |class: &str| meniscus(&["class", "export", "--store", file, "--class", class, "--output", out]);
     assert_eq!(export(code).stderr, "files written: 2\n");
     assert!(export("Tubes").stderr.contains("several classes Tubes") && export("x").stderr.contains("no class x"));
+    // A backup of one class has nothing of the others, and is restored by itself.
+    let [backup, new] = ["backup.sqlite", "new.sqlite"].map(|name| folder.path().join(name));
+    let [backup, new] = [&backup, &new].map(|path| path.to_str().unwrap());
+    let done = meniscus(&["class", "backup", "--store", file, "--class", code, "--output", backup]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""));
+    let bytes = std::fs::read(backup).unwrap();
+    let holds = |text: &str| bytes.windows(text.len()).any(|window| window == text.as_bytes());
+    assert!(holds("# first") && !holds("# second") && !holds("# third"));
+    assert_eq!(meniscus(&["class", "restore", backup, "--store", new]).code, 0);
+    let listed = meniscus(&["class", "list", "--store", new]).stdout;
+    assert!(listed.lines().count() == 1 && listed.starts_with(code), "{listed}");
     assert_eq!(meniscus(&["class", "erase", "--store", file, "--class", code, "--seat", "1"]).code, 0);
     let listed = meniscus(&["class", "list", "--store", file]).stdout;
     assert!(listed.lines().next().unwrap().contains("seats: 2"), "{listed}");
@@ -100,6 +111,11 @@ fn every_class_of_a_store_can_be_reached_and_none_is_continued_unasked() {
     let served = meniscus(&["class", "serve", document, "--store", file]);
     assert_eq!(served.code, 2);
     assert!(served.stderr.contains("has a class: ") && served.stderr.contains("--continue"), "{}", served.stderr);
+    // One class is erased, and the other stays.
+    assert_eq!(meniscus(&["class", "erase", "--store", file, "--class", code, "--all"]).code, 0);
+    let listed = meniscus(&["class", "list", "--store", file]).stdout;
+    let lines: Vec<&str> = listed.lines().collect();
+    assert!(lines.len() == 2 && !listed.contains(code) && lines[1].ends_with(": 1"), "{listed}");
 }
 
 #[test]

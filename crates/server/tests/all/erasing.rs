@@ -50,8 +50,8 @@ fn a_backup_does_not_bring_an_erased_seat_back(storage: &Storage) {
         block(running.server.classes().store().add_sheet(running.class.id().to_owned(), [7; 16], "{}".to_owned()));
     sheet.unwrap();
     // While the server runs.
-    block(back_up(&storage.location, &backup)).unwrap();
-    assert!(block(back_up(&storage.location, &backup)).is_err(), "no file is overwritten");
+    block(back_up(&storage.location, &backup, None)).unwrap();
+    assert!(block(back_up(&storage.location, &backup, None)).is_err(), "no file is overwritten");
     assert!(holds(&backup, SECRET));
     let class = running.class.id().to_owned();
     block(running.server.classes().erase(&running.class, 1)).unwrap();
@@ -74,7 +74,7 @@ fn a_backup_brings_no_device_of_a_teacher_back(storage: &Storage) {
     let backup = storage.beside("backup.sqlite");
     let running = Running::start(&storage.location);
     let (own, revoked, joined) = (running.teacher(), running.teacher(), running.join());
-    block(back_up(&storage.location, &backup)).unwrap();
+    block(back_up(&storage.location, &backup, None)).unwrap();
     running.post("/api/teacher/revoke", &own, &json!({})).ok();
     drop(running);
     let other = storage.other();
@@ -147,7 +147,7 @@ fn other_files_are_no_store() {
     assert!(block(Store::open(&Location::File(text.clone()))).is_err());
     assert!(std::fs::read_to_string(&text).unwrap().starts_with("no database"));
     let other = Location::File(folder.path().join("other"));
-    assert!(block(back_up(&other, &folder.path().join("x"))).is_err());
+    assert!(block(back_up(&other, &folder.path().join("x"), None)).is_err());
     assert!(block(Store::existing(&other)).is_err());
     assert!(!folder.path().join("other").exists(), "nothing is made by looking");
 }

@@ -2,8 +2,10 @@
 //! servers before the same store are read before each request ([`Classes::catch_up`]).
 
 mod learning;
+mod room;
 mod settings;
 
+pub use room::ClassRoom;
 pub use settings::Settings;
 
 use crate::codes::{self, Hash};
@@ -20,8 +22,8 @@ use units::Language;
 /// Kind of the teacher's events with settings.
 pub const SETTINGS: &str = "settings";
 
-/// Maximum size of what a seat stores, in bytes.
-const MOST_OF_SEAT: u64 = 64 << 20;
+/// Maximum size of what a class stores if nothing else is said, in bytes.
+pub const MOST_OF_CLASS: u64 = 4 << 30;
 
 /// Maximum number of seats of a class.
 pub const MOST_SEATS: u32 = 10_000;
@@ -71,6 +73,8 @@ impl From<Fault> for NotJoined {
     fn from(fault: Fault) -> Self {
         match fault {
             Fault::SeatFull => Self::Full,
+            // Class or seat was erased meanwhile.
+            Fault::Missing => Self::Wrong,
             fault => Self::Store(fault),
         }
     }
@@ -94,8 +98,11 @@ pub struct Class {
 #[derive(Debug, Default)]
 struct State {
     seats: BTreeMap<u32, SeatRow>,
-    /// Bytes that each seat has stored, as far as this server knows: each server counts what passes through it.
+    /// Bytes that each seat has stored, as far as this server knows: each server counts what passes through it. Seat 0 has the settings
+    /// and the answers to surveys.
     sizes: BTreeMap<u32, u64>,
+    /// Something was refused for lack of room of the class, and nothing was erased since.
+    is_full: bool,
 }
 
 impl PartialEq for Class {
@@ -170,16 +177,6 @@ impl Class {
         self.latest.send_modify(|_| {});
     }
 
-    /// True if a seat has room for this number of bytes.
-    pub fn has_room(&self, seat: u32, bytes: u64) -> bool {
-        locked(&self.state).sizes.get(&seat).copied().unwrap_or(0) + bytes <= MOST_OF_SEAT
-    }
-
-    /// Notes that a seat has stored this number of bytes.
-    pub fn note_size(&self, seat: u32, bytes: u64) {
-        *locked(&self.state).sizes.entry(seat).or_default() += bytes;
-    }
-
     /// Holder of a token of this seat; seat 0 is the teacher's.
     fn holder(self: &Arc<Self>, seat: u32) -> Holder {
         match seat {
@@ -203,6 +200,8 @@ impl Class {
 #[derive(Debug)]
 pub struct Classes {
     store: Store,
+    /// Maximum size of what each class stores, in bytes.
+    room: u64,
     /// Language of new pseudonyms.
     language: Language,
     /// Place in the changes of other servers, and the number of requests before which they are known.
@@ -236,6 +235,7 @@ impl Classes {
         store.erase_expired(now).await?;
         let classes = Self {
             store: store.clone(),
+            room: MOST_OF_CLASS,
             language,
             known: tokio::sync::Mutex::new((store.cursor().await?, 0)),
             asked: AtomicU64::new(0),
@@ -306,7 +306,7 @@ impl Classes {
         let class = Arc::new(Class {
             code: Mutex::new(std::mem::take(&mut row.code)),
             row,
-            state: Mutex::new(State { seats, sizes }),
+            state: Mutex::new(State { seats, sizes, is_full: false }),
             settings: watch::channel(settings).0,
             set: Mutex::new(set),
             latest: watch::channel(self.store.last_number().await?).0,
@@ -319,6 +319,8 @@ impl Classes {
         locked(&self.keys).extend(keys.into_iter().map(|(key, seat)| (key, (class.clone(), seat))));
         locked(&self.tokens).insert(survey, Holder::Survey(class.clone()));
         locked(&self.tokens).extend(stored.into_iter().map(|(hash, seat)| (hash, class.holder(seat))));
+        // Students of earlier classes are told that there is another one.
+        classes.iter().for_each(|earlier| earlier.settings.send_modify(|_| {}));
         classes.push(class.clone());
         classes.sort_by_key(|class| std::cmp::Reverse(class.row.created));
         Ok(class)

@@ -7,11 +7,15 @@ use units::Language;
 pub fn all() -> Value {
     let mut all = serde_json::Map::new();
     for language in Language::ALL {
-        let mut own = student(language);
-        if let (Value::Object(own), Value::Object(teacher)) = (&mut own, teacher(language)) {
-            own.extend(teacher);
-        }
-        all.insert(language.tag().to_owned(), own);
+        let own: serde_json::Map<String, Value> = [student, handing_in, teacher]
+            .into_iter()
+            .filter_map(|texts| match texts(language) {
+                Value::Object(texts) => Some(texts),
+                _ => None,
+            })
+            .flatten()
+            .collect();
+        all.insert(language.tag().to_owned(), own.into());
     }
     Value::Object(all)
 }
@@ -29,16 +33,8 @@ fn student(language: Language) -> Value {
         "unreachable": language.say("The class cannot be reached. Check the network; your work stays here."),
         "full": language.say("The class gives no more seats. Ask your teacher."),
         "many": language.say("Too many have joined from this network. Ask your teacher, or try again in an hour."),
-        "waits_one": language.say("1 part is not handed in yet."),
-        "waits": language.say("# parts are not handed in yet."),
-        "all_in": language.say("Everything is handed in."),
-        "nothing": language.say("Nothing is handed in yet."),
-        "closed": language.say("The class is closed; your work stays here and in the file."),
-        "approval": language.say("Wait until your teacher lets you in."),
-        "refused": language.say("The class refused a part. Press Hand in and send the file to your teacher."),
-        "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
-        "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
         "token": language.say("This seat does not exist any more. Join again."),
+        "earlier": language.say("This seat belongs to an earlier class. Type the code of the present one to join it."),
         "paused": language.say("Your teacher has paused the class."),
         "pace": language.say("The class works on"),
         "closes": language.say("Closes in # min"),
@@ -51,10 +47,35 @@ fn student(language: Language) -> Value {
         "erase": language.say("Erase what is stored of me"),
         "erase_sure": language.say("Everything that you handed in to this class will be erased. Go on?"),
         "erased": language.say("Erased."),
+        "leave": language.say("Leave this computer"),
+        "leave_sure": language.say(
+            "What is left is handed in. Then your seat, your key and all of your work are removed from this browser; the class keeps what is handed in. Note the key first if you want to go on elsewhere, and delete the file for this class if you have saved it here. Go on?"),
+        "leaving": language.say("Handing in ..."),
+        "leave_lost": language.say("Not handed in yet: #. This is lost if you leave now. Leave nevertheless?"),
         "sheet": language.say("Your answers to the survey are sent without your seat, at a random time within ten minutes."),
         "others": language.say("Answers of the class"),
         "question": language.say("Question"),
         "right": language.say("right: # of $"),
+    })
+}
+
+/// What is said of the parts that wait, with a sentence for each reason of a refusal.
+fn handing_in(language: Language) -> Value {
+    json!({
+        "waits_one": language.say("1 part is not handed in yet."),
+        "waits": language.say("# parts are not handed in yet."),
+        "all_in": language.say("Everything is handed in."),
+        "nothing": language.say("Nothing is handed in yet."),
+        "closed": language.say("The class is closed; your work stays here and in the file."),
+        "approval": language.say("Wait until your teacher lets you in."),
+        "refused": language.say("The class refused a part. Press Hand in and send the file to your teacher."),
+        "slow": language.say("Sending took too long. Check the network; your work stays here, and less is sent at once."),
+        "large": language.say(
+            "A part of your work is too large for the class (8 MB). Press Hand in and send the file to your teacher."),
+        "seat_full": language.say("Your seat has no more room. Press Hand in and send the file to your teacher."),
+        "class_full": language.say("The class has no more room. Tell your teacher; your work stays here and is sent again."),
+        "store": language.say("The teacher's computer cannot store anything at the moment; it is tried again."),
+        "keep_open": language.say("This browser stores nothing: keep the page open until everything is handed in."),
     })
 }
 
@@ -92,6 +113,9 @@ fn teacher(language: Language) -> Value {
         "waiting": language.say("waits"),
         "live": language.say("Live"),
         "lost": language.say("No connection to the server; it is tried again."),
+        "room_near": language.say("The class has used # % of its room."),
+        "room_full": language.say(
+            "The class has no more room (# MB): what students hand in waits in their browsers. Erase seats, or start the server again with a larger --room."),
         "sheets": language.say("Show the survey"),
     })
 }
@@ -106,7 +130,7 @@ pub fn stored(language: Language) -> [&'static str; 8] {
             "Answers to surveys are stored apart, without seat and without time. The server cannot tell which are yours, so they are erased with the class only.",
             "It is stored on the computer on which the class was started, or in a database that this computer uses. After the number of days that the teacher chose (30 if nothing was said) everything is erased there as soon as the server runs, and a backup that is restored later does not bring it back. Backups and copies that the teacher has made last until they are deleted.",
             "My seat saves what is stored of you as a file, and erases it from the server at any time. Backups, copies, and a dashboard that is open meanwhile keep it.",
-            "The browser keeps your work, the parts that are not handed in yet, and the key of your seat; the work stays there after erasing. On a computer that others use, clear the data of this site at the end. There are no cookies.",
+            "The browser keeps your work, the parts that are not handed in yet, and the key of your seat; the work stays there after erasing. On a computer that others use, press Leave this computer in My seat at the end: it removes all of this. There are no cookies.",
             "Names stay on the teacher's device, if the teacher types them beside the pseudonyms.",
         ],
     )

@@ -9,6 +9,7 @@
 
 use crate::views::{document, window};
 use js_sys::{Array, Function, Promise, Reflect, Uint8Array};
+use std::cell::Cell;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{
@@ -183,9 +184,22 @@ pub fn all_remembered(prefix: &str) -> Vec<(String, String)> {
     keys.filter_map(|key| remembered(&key).map(|text| (key, text))).collect()
 }
 
+thread_local! {
+    /// True once the page stores nothing more.
+    static HAS_ENDED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// From now on the page stores nothing: somebody leaves a computer that others use.
+pub fn end_remembering() {
+    HAS_ENDED.set(true);
+}
+
 /// Stores a text for the next visit; an empty text removes the entry. Returns false if the storage is full or
 /// forbidden.
 pub fn remember(key: &str, text: &str) -> bool {
+    if HAS_ENDED.get() {
+        return true;
+    }
     let Ok(Some(storage)) = window().local_storage() else { return text.is_empty() };
     let key = format!("meniscus:{key}");
     if text.is_empty() { storage.remove_item(&key) } else { storage.set_item(&key, text) }.is_ok()

@@ -212,3 +212,24 @@ lesson("a proxy keeps streams back: teacher and students ask instead", async (se
   await teacher.getByLabel("Class paused", { exact: true }).check();
   await student.getByText("Your teacher has paused the class.").waitFor();
 });
+
+lesson("a request that took too long, and one that was too large: each is said in its own words, and all is handed in later", async (server) => {
+  const student = await visitor();
+  await join(student, server.code, `${server.base}${DOCUMENT}`);
+  await answer(student, "0.61");
+  await status(student, /^Everything is handed in/);
+  const typed = ["0.61"];
+  for (const [code, why, sentence, text] of [
+    [408, "slow", /not handed in yet.*took too long/, "0.62"],
+    [413, "large", /not handed in yet.*too large for the class/, "0.63"],
+    [413, "seat_full", /not handed in yet.*seat has no more room/, "0.64"],
+  ]) {
+    await student.route("**/api/events", (route) => route.fulfill({ status: code, json: { why } }));
+    await answer(student, text);
+    await status(student, sentence);
+    await student.unroute("**/api/events");
+    await status(student, /^Everything is handed in/, 60);
+    typed.push(text);
+    assert.deepEqual(await answers(student, server), typed);
+  }
+});

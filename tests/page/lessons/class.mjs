@@ -19,9 +19,9 @@ async function free() {
   return String(port);
 }
 
-/** Starts the program, at the port of an earlier start if there was one; what the screen says. */
-export async function start({ port, what = ["simulations/utube.md"], store = temporary(`class-${(stores += 1)}.sqlite`) } = {}) {
-  const words = ["class", "serve", ...what, "--store", store, "--continue", "--port", port ?? (await free())];
+/** Starts the program, at the port of an earlier start if there was one; what the screen says. `begin`: `--new` begins another class. */
+export async function start({ port, what = ["simulations/utube.md"], store = temporary(`class-${(stores += 1)}.sqlite`), begin = "--continue" } = {}) {
+  const words = ["class", "serve", ...what, "--store", store, begin, "--port", port ?? (await free())];
   const child = spawn(program, words, { cwd: new URL("../../..", import.meta.url).pathname, stdio: ["ignore", "ignore", "pipe"] });
   let said = "";
   child.stderr.on("data", (data) => (said += data));

@@ -5,7 +5,7 @@ import { writeFileSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { eventually, meniscus, temporary } from "../lab.mjs";
-import { answer, join, school, shows, start, status, stop, teach } from "./class.mjs";
+import { answer, join, school, shows, start, status, stop, stored, teach } from "./class.mjs";
 
 const { visitor, faults } = school();
 let server;
@@ -164,6 +164,104 @@ test("each student has the assigned values of the own seat: those of `class assi
       await eventually(async () => assert.equal(Number(await student.getByRole("textbox", { name: /^Stiffness/ }).first().inputValue()), 5));
       assert.equal(Number(await damping(student).inputValue()), value);
     }
+    assert.deepEqual(faults, []);
+  } finally {
+    await stop(lesson);
+  }
+});
+
+test("a browser that keeps a seat of an earlier class is told, and joins the present one", async () => {
+  const lesson = await start();
+  let present = lesson;
+  try {
+    const address = `${lesson.base}/d/utube.md`;
+    const student = await visitor();
+    await join(student, lesson.code, address);
+    await answer(student, "0.51");
+    await status(student, /^Everything is handed in/);
+    await stop(lesson);
+    present = await start({ ...lesson, begin: "--new" });
+    await status(student, /belongs to an earlier class/, 60);
+    const teacher = await visitor();
+    await teach(teacher, present);
+    await student.getByLabel("Code of the class").fill(present.code);
+    await student.getByRole("button", { name: "Join" }).click();
+    await status(student, /^Everything is handed in/);
+    await shows(teacher, /0\.51 instead of/);
+    // A code that was scanned is typed already.
+    const other = await visitor();
+    await join(other, present.code, address);
+    await stop(present);
+    present = await start({ ...lesson, begin: "--new" });
+    await other.goto("about:blank");
+    await other.goto(`${address}#join=${present.code}`);
+    await status(other, /belongs to an earlier class/, 60);
+    assert.equal(await other.getByLabel("Code of the class").inputValue(), present.code);
+    assert.deepEqual(faults, []);
+  } finally {
+    await stop(present);
+  }
+});
+
+test("a student leaves a shared computer: the class keeps the work, and the browser nothing of it", async () => {
+  const lesson = await start({ what: ["simulations/utube.md", "--lab"] });
+  try {
+    const address = `${lesson.base}/d/utube.md`;
+    const student = await visitor();
+    const name = await join(student, lesson.code, address);
+    await answer(student, "0.7151");
+    await status(student, /^Everything is handed in/);
+    await student.getByText("My seat").click();
+    const key = await student.locator("#class-bar .key").innerText();
+    const tab = await student.context().newPage();
+    await tab.goto(address);
+    await tab.getByText("My seat").waitFor();
+    await answer(student, "0.7252");
+    const asked = [];
+    student.on("dialog", (dialog) => (asked.push(dialog.message()), dialog.accept()));
+    await student.getByText("My seat").click();
+    await student.getByRole("button", { name: "Leave this computer" }).click();
+    for (const page of [student, tab]) {
+      await page.getByLabel("Code of the class").waitFor();
+      await page.getByRole("tab", { name: "Questions" }).click();
+      assert.equal(await page.getByRole("tabpanel").getByRole("textbox").first().inputValue(), "");
+      assert.doesNotMatch(await page.locator("body").innerText(), /0\.7151|0\.7252/);
+    }
+    assert.equal(asked.length, 1, asked.join(" "));
+    const left = await student.evaluate(() => Object.entries(localStorage).flat().join("\n"));
+    for (const secret of ["0.7151", "0.7252", name, key, "meniscus-class", "hand-in-name"]) assert.ok(!left.includes(secret), `${secret}: ${left}`);
+
+    // The next person has a seat without work; the first one goes on elsewhere.
+    assert.notEqual(await join(student, lesson.code, address), name);
+    await status(student, /^Nothing is handed in/);
+    const home = await visitor();
+    assert.equal(await join(home, key, address), name);
+    await status(home, /^Everything is handed in/);
+    const { "hand-ins": [text] } = await stored(home, lesson.base);
+    const typed = JSON.parse(text).work.items.flatMap(({ item }) => item.item.answer?.attempts ?? []).map((one) => one.typed);
+    assert.deepEqual(typed, ["0.7151", "0.7252"]);
+
+    // Without a network it is asked once more, and refused here: everything stays.
+    const offline = await visitor();
+    await offline.clock.install();
+    await join(offline, lesson.code, address);
+    await answer(offline, "0.73");
+    await status(offline, /^Everything is handed in/);
+    await offline.context().setOffline(true);
+    await answer(offline, "0.74");
+    await status(offline, /not handed in yet.*cannot be reached/);
+    const questions = [];
+    offline.on("dialog", (dialog) => {
+      questions.push(dialog.message());
+      return questions.length === 1 ? dialog.accept() : dialog.dismiss();
+    });
+    await offline.getByText("My seat").click();
+    await offline.getByRole("button", { name: "Leave this computer" }).click();
+    await status(offline, /Handing in/);
+    await offline.clock.fastForward(30_000);
+    await eventually(() => assert.match(questions[1] ?? "", /^Not handed in yet: \d/));
+    await offline.context().setOffline(false);
+    await status(offline, /^Everything is handed in/, 60);
     assert.deepEqual(faults, []);
   } finally {
     await stop(lesson);

@@ -10,10 +10,13 @@ mod survey;
 
 use crate::failure::Failure;
 use crate::terminal::Terminal;
+use ::server::write_private_files;
 use arguments::Class;
 
 /// Runs one of the commands.
 pub fn run(class: &Class, terminal: Terminal) -> Result<(), Failure> {
+    // Results, answers and hidden values are for the teacher alone.
+    write_private_files();
     match class {
         Class::Assign(arguments) => assign::assign(arguments, terminal),
         Class::Report(arguments) => report::report(arguments, terminal),

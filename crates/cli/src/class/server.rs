@@ -14,7 +14,7 @@ use server::class::{Class, Classes};
 use server::http::{Log, Place, Server};
 use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::{Location, back_up, restore};
-use server::{Fault, Store, export, listen, now, qr, write_private_files};
+use server::{Fault, Store, export, listen, now, qr};
 use std::future::Future;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
@@ -37,23 +37,19 @@ const LOOK: Duration = Duration::from_secs(3600);
 /// # Errors
 /// A document, a store or a port cannot be used.
 pub fn run(command: &ClassServer, terminal: Terminal) -> Result<(), Failure> {
-    write_private_files();
     match command {
         ClassServer::Serve(arguments) => serve(arguments, terminal),
-        ClassServer::Backup(Backup { place, output }) => blocking(async {
-            let location = location(place)?;
-            back_up(&location, output).await.map_err(|fault| match fault {
-                Fault::Exists => Failure::about(output, &fault.words()),
-                fault => about(&location, &fault),
-            })
-        }),
+        ClassServer::Backup(arguments) => blocking(backup(arguments)),
         ClassServer::Restore(Restore { backup, place }) => blocking(async {
             let location = location(place)?;
             let events = restore(backup, &location, now()).await.map_err(|fault| match fault {
                 Fault::Away(_) => about(&location, &fault),
                 fault => Failure::about(backup, &fault.words()),
             })?;
-            terminal.print(&format!("{}: {events}\n", terminal.language.say("parts restored")));
+            let links = terminal.language.say(
+                "No device of a teacher is taken from a backup: a start with `meniscus class serve` prints a new link.",
+            );
+            terminal.print(&format!("{}: {events}\n{links}\n", terminal.language.say("parts restored")));
             Ok(())
         }),
         ClassServer::Erase(arguments) => blocking(erase(arguments)),
@@ -82,6 +78,22 @@ fn network(error: &io::Error) -> Failure {
     Failure::in_words(words!("cannot serve: {}", error), words("choose another port with `--port`"))
 }
 
+async fn backup(Backup { place, class, output }: &Backup) -> Result<(), Failure> {
+    let location = location(place)?;
+    let fails = |fault| about(&location, &fault);
+    let class = match class {
+        None => None,
+        Some(name) => {
+            let store = Store::existing(&location).await.map_err(fails)?;
+            Some(stored::chosen(store.classes().await.map_err(fails)?, Some(name), fails)?.class)
+        }
+    };
+    back_up(&location, output, class.as_deref()).await.map_err(|fault| match fault {
+        Fault::Exists => Failure::about(output, &fault.words()),
+        fault => fails(fault),
+    })
+}
+
 async fn erase(arguments: &Erase) -> Result<(), Failure> {
     let location = location(&arguments.place)?;
     let fails = |fault| about(&location, &fault);
@@ -93,7 +105,11 @@ async fn erase(arguments: &Erase) -> Result<(), Failure> {
             store.erase_seats(class.class, vec![seat]).await.map_err(fails)?;
         }
         None => {
-            for class in classes {
+            let gone = match &arguments.class {
+                Some(name) => vec![stored::chosen(classes, Some(name), fails)?],
+                None => classes,
+            };
+            for class in gone {
                 store.erase_class(class.class).await.map_err(fails)?;
             }
         }
@@ -147,9 +163,15 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
     let pages = Pages::new(documents, page::own()?, POLICY, terminal.language);
     let location = location(&arguments.place)?;
     blocking(async {
+        // A refused start makes neither a store nor a class.
+        let listener = listener(listened(arguments), arguments.port).await.map_err(|error| network(&error))?;
+        let port = listener.local_addr().map_err(|error| network(&error))?.port();
+        let (place, tls) = place(arguments, port)?;
+        let log = arguments.log.as_deref().map(log).transpose()?;
         let fails = |fault| about(&location, &fault);
         let store = Store::open(&location).await.map_err(fails)?;
         let classes = Classes::open(store, terminal.language, now()).await.map_err(fails)?;
+        let classes = classes.with_room(arguments.room << 20);
         let known = classes.store().classes().await.map_err(fails)?;
         if let Some(class) = known.first() {
             let line = stored::line(classes.store(), class, terminal.language).await.map_err(fails)?;
@@ -168,10 +190,6 @@ fn serve(arguments: &ServeClass, terminal: Terminal) -> Result<(), Failure> {
             false => classes.latest_or_begin(&title, arguments.keep, now()).await,
         };
         let class = class.map_err(fails)?;
-        let listener = listener(listened(arguments), arguments.port).await.map_err(|error| network(&error))?;
-        let port = listener.local_addr().map_err(|error| network(&error))?.port();
-        let (place, tls) = place(arguments, port)?;
-        let log = arguments.log.as_deref().map(log).transpose()?;
         let server = Server::new(classes, pages, place, log);
         let link = server.classes().link(&class).await.map_err(fails)?;
         let own = arguments.listen.filter(IpAddr::is_loopback).unwrap_or(Ipv4Addr::LOCALHOST.into());

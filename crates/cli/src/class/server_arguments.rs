@@ -1,6 +1,7 @@
 //! Arguments of the commands for a class server.
 
 use clap::{Args, Subcommand};
+use server::class::MOST_OF_CLASS;
 use std::net::IpAddr;
 use std::path::PathBuf;
 
@@ -13,9 +14,9 @@ pub enum ClassServer {
     /// Serve documents to a class: students join with a code, and the dashboard fills while they work
     #[command(after_help = SERVE_EXAMPLES)]
     Serve(ServeClass),
-    /// Write all classes of a store into a new file; a server may run meanwhile
+    /// Write the classes of a store, or one of them, into a new file; a server may run meanwhile
     Backup(Backup),
-    /// Take classes from a backup; erased seats and classes whose time is over are left out
+    /// Take classes from a backup; erased seats, classes whose time is over, and devices of teachers are left out
     Restore(Restore),
     /// Erase a seat, or everything
     Erase(Erase),
@@ -65,6 +66,10 @@ pub struct ServeClass {
     #[arg(long, value_name = "DAYS", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=3650))]
     pub keep: u32,
 
+    /// Most that each class stores, in MiB; what comes beyond it waits in the browsers
+    #[arg(long, value_name = "MIB", default_value_t = MOST_OF_CLASS >> 20, value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
+    pub room: u64,
+
     /// Begin a new class even if the store has one
     #[arg(long)]
     pub new: bool,
@@ -100,6 +105,10 @@ pub struct Backup {
     #[command(flatten)]
     pub place: StorePlace,
 
+    /// Code or title of a class [default: every class of the store]
+    #[arg(long, value_name = "NAME")]
+    pub class: Option<String>,
+
     /// The new file
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
@@ -126,11 +135,11 @@ pub struct Erase {
     #[arg(long, value_name = "N", required_unless_present = "all", conflicts_with = "all")]
     pub seat: Option<u32>,
 
-    /// Code or title of the class of the seat [default: the latest class]
-    #[arg(long, value_name = "NAME", conflicts_with = "all")]
+    /// Code or title of a class [default: the latest class with --seat, every class with --all]
+    #[arg(long, value_name = "NAME")]
     pub class: Option<String>,
 
-    /// Erase all classes of the store
+    /// Erase classes with all that is in them
     #[arg(long)]
     pub all: bool,
 }

@@ -1,6 +1,8 @@
 //! `meniscus class export`, `backup`, `erase` and `restore`.
 
 use crate::common::meniscus;
+#[cfg(unix)]
+use crate::common::mode;
 use serde_json::json;
 use server::class::Classes;
 use server::fold::PART;
@@ -56,24 +58,19 @@ fn a_store_is_exported_backed_up_erased_and_restored() {
     };
     assert_eq!(run(&["export", "--store", file, "--output", out]), "files written: 3\n");
     #[cfg(unix)]
-    assert_eq!(mode(out), 0o700);
+    assert_eq!(mode(out.as_ref()), 0o700);
     let before = texts();
     assert!(before[0].contains("# first") && before[1].contains("# second") && before[2] == "{}", "{before:?}");
     run(&["backup", "--store", file, "--output", backup]);
     #[cfg(unix)]
-    assert_eq!(mode(backup), 0o600);
+    assert_eq!(mode(backup.as_ref()), 0o600);
     run(&["erase", "--store", file, "--seat", "1"]);
-    assert_eq!(run(&["restore", backup, "--store", file]), "parts restored: 0\n");
+    let restored = run(&["restore", backup, "--store", file]);
+    assert!(restored.starts_with("parts restored: 0\n") && restored.contains("prints a new link"), "{restored}");
     run(&["export", "--store", file, "--output", out]);
     assert_eq!(texts(), before[1..]);
     run(&["erase", "--store", file, "--all"]);
     assert_eq!(meniscus(&["class", "export", "--store", file, "--output", out]).code, 2);
-}
-
-/// Permissions of a file or folder.
-#[cfg(unix)]
-fn mode(path: &str) -> u32 {
-    std::os::unix::fs::PermissionsExt::mode(&std::fs::metadata(path).unwrap().permissions()) & 0o777
 }
 
 /// A store with two classes: the second one is the latest.
@@ -94,6 +91,17 @@ fn every_class_of_a_store_can_be_reached_and_none_is_continued_unasked() {
     let export = |class: &str| meniscus(&["class", "export", "--store", file, "--class", class, "--output", out]);
     assert_eq!(export(code).stderr, "files written: 2\n");
     assert!(export("Tubes").stderr.contains("several classes Tubes") && export("x").stderr.contains("no class x"));
+    // A backup of one class has nothing of the others, and is restored by itself.
+    let [backup, new] = ["backup.sqlite", "new.sqlite"].map(|name| folder.path().join(name));
+    let [backup, new] = [&backup, &new].map(|path| path.to_str().unwrap());
+    let done = meniscus(&["class", "backup", "--store", file, "--class", code, "--output", backup]);
+    assert_eq!((done.code, done.stderr.as_str()), (0, ""));
+    let bytes = std::fs::read(backup).unwrap();
+    let holds = |text: &str| bytes.windows(text.len()).any(|window| window == text.as_bytes());
+    assert!(holds("# first") && !holds("# second") && !holds("# third"));
+    assert_eq!(meniscus(&["class", "restore", backup, "--store", new]).code, 0);
+    let listed = meniscus(&["class", "list", "--store", new]).stdout;
+    assert!(listed.lines().count() == 1 && listed.starts_with(code), "{listed}");
     assert_eq!(meniscus(&["class", "erase", "--store", file, "--class", code, "--seat", "1"]).code, 0);
     let listed = meniscus(&["class", "list", "--store", file]).stdout;
     assert!(listed.lines().next().unwrap().contains("seats: 2"), "{listed}");
@@ -103,6 +111,36 @@ fn every_class_of_a_store_can_be_reached_and_none_is_continued_unasked() {
     let served = meniscus(&["class", "serve", document, "--store", file]);
     assert_eq!(served.code, 2);
     assert!(served.stderr.contains("has a class: ") && served.stderr.contains("--continue"), "{}", served.stderr);
+    // One class is erased, and the other stays.
+    assert_eq!(meniscus(&["class", "erase", "--store", file, "--class", code, "--all"]).code, 0);
+    let listed = meniscus(&["class", "list", "--store", file]).stdout;
+    let lines: Vec<&str> = listed.lines().collect();
+    assert!(lines.len() == 2 && !listed.contains(code) && lines[1].ends_with(": 1"), "{listed}");
+}
+
+#[test]
+fn a_refused_start_leaves_neither_a_store_nor_a_class() {
+    let folder = tempfile::tempdir().unwrap();
+    let [new, known] = ["new.sqlite", "known.sqlite"].map(|name| folder.path().join(name));
+    store(&known, &["first"]);
+    let [new, known] = [&new, &known].map(|path| path.to_str().unwrap());
+    let taken = std::net::TcpListener::bind("0.0.0.0:0").unwrap();
+    let port = taken.local_addr().unwrap().port().to_string();
+    let document = concat!(env!("CARGO_MANIFEST_DIR"), "/../../simulations/utube.md");
+    let [text, no_log] = ["Cargo.toml", "none/class.log"];
+    for words in [
+        vec![document, "--port", &port],
+        vec![text],
+        vec![document, "--public", "https://class.example", "--tls", "none.pem,none.pem"],
+        vec![document, "--public", "class"],
+        vec![document, "--log", no_log],
+    ] {
+        let serve = |more: &[&str]| meniscus(&[&["class", "serve"], words.as_slice(), more].concat());
+        let (first, second) = (serve(&["--store", new]), serve(&["--store", known, "--new"]));
+        assert!(first.code > 0 && second.code > 0, "{words:?}: {}", first.stderr);
+        assert!(!Path::new(new).exists(), "{words:?}");
+        assert_eq!(meniscus(&["class", "list", "--store", known]).stdout.lines().count(), 1, "{words:?}");
+    }
 }
 
 #[test]

@@ -22,6 +22,13 @@ fn values_and_answers_of_all_seats_are_listed() {
         assert_eq!(seat["values"][1], seat["answers"][0]);
     }
     let csv = meniscus(&["class", "assign", TUBE, "--seats", "40", "--format", "csv"]);
+    #[cfg(unix)]
+    {
+        let folder = tempfile::tempdir().unwrap();
+        let list = folder.path().join("seats.csv");
+        meniscus(&["class", "assign", TUBE, "--seats", "4", "--output", list.to_str().unwrap()]);
+        assert_eq!(crate::common::mode(&list), 0o600);
+    }
     let row = csv.stdout.lines().nth(7).unwrap();
     assert_eq!(row, format!("7,{0},{1},{1}", seats[6]["values"][0], seats[6]["values"][1]));
     let spanish = meniscus(&["class", "assign", TUBE, "--seats", "8", "--language", "es"]);

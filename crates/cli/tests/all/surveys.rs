@@ -78,6 +78,8 @@ fn texts_of_strangers_are_inert_in_every_form() {
     let page = directory.path().join("survey.html");
     let done = meniscus(&["class", "survey", &folder, "--comments", "--output", page.to_str().unwrap()]);
     assert_eq!(done.code, 0, "{}", done.stderr);
+    #[cfg(unix)]
+    assert_eq!(crate::common::mode(&page), 0o600);
     let html = std::fs::read_to_string(&page).unwrap();
     assert!(html.contains("&lt;script&gt;alert(1)&lt;/script&gt;&lt;svg onload=alert(1)&gt;"));
     assert!(!html.contains("<script") && !html.contains("<svg onload") && html.contains("default-src 'none'"));

@@ -2,6 +2,7 @@
 
 use super::{Class, Classes, Holder, locked};
 use crate::store::{Fault, News};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
 
 impl Classes {
@@ -26,11 +27,12 @@ impl Classes {
 
     async fn learn(&self, news: News) -> Result<(), Fault> {
         let News { classes, teachers, erased, seats, tokens, latest, settings, .. } = news;
+        let mut gone: BTreeMap<String, BTreeSet<u32>> = BTreeMap::new();
         for (class, seat) in erased {
-            match seat {
-                0 => self.forget(|of, _| of.id() == class),
-                seat => self.forget(|of, own| of.id() == class && own == seat),
-            }
+            gone.entry(class).or_default().insert(seat);
+        }
+        if !gone.is_empty() {
+            self.forget(|of, own| gone.get(of.id()).is_some_and(|seats| seats.contains(&0) || seats.contains(&own)));
         }
         for row in classes {
             match self.find(&row.class) {
@@ -77,12 +79,21 @@ impl Classes {
         });
         locked(&self.keys).retain(|_, (class, seat)| !is_gone(class, *seat));
         locked(&self.classes).retain(|class| {
-            let before = locked(&class.state).seats.len();
-            locked(&class.state).seats.retain(|seat, _| !is_gone(class, *seat));
-            if locked(&class.state).seats.len() < before {
+            let is_over = is_gone(class, 0);
+            let has_fewer = {
+                let mut state = locked(&class.state);
+                let before = state.seats.len();
+                state.seats.retain(|seat, _| !is_gone(class, *seat));
+                state.sizes.retain(|seat, _| !is_gone(class, *seat));
+                state.seats.len() < before
+            };
+            if is_over || has_fewer {
+                locked(&class.state).is_full = false;
                 class.tell_of_seats();
+                // Streams of these seats end.
+                class.settings.send_modify(|_| {});
             }
-            !is_gone(class, 0)
+            !is_over
         });
     }
 

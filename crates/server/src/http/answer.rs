@@ -66,7 +66,9 @@ impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Self {
         match fault {
             Fault::Taken(highest) => Self { highest: Some(highest), ..refuse(StatusCode::CONFLICT, "taken") },
-            Fault::SeatFull | Fault::SheetsFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "full"),
+            Fault::SeatFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "seat_full"),
+            Fault::ClassFull => refuse(StatusCode::INSUFFICIENT_STORAGE, "class_full"),
+            Fault::SheetsFull => refuse(StatusCode::PAYLOAD_TOO_LARGE, "full"),
             Fault::Missing => refuse(StatusCode::NOT_FOUND, "missing"),
             Fault::Away(_) => refuse(StatusCode::SERVICE_UNAVAILABLE, "store"),
             Fault::Unwritable(_) | Fault::NoStore(_) => refuse(StatusCode::INSUFFICIENT_STORAGE, "store"),
@@ -121,5 +123,31 @@ fn is_bounded(request: &Request<Body>, most: usize) -> Result<(), Refusal> {
         None => Err(refuse(StatusCode::LENGTH_REQUIRED, "length")),
         Some(length) if length > most => Err(refuse(StatusCode::PAYLOAD_TOO_LARGE, "large")),
         Some(_) => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::http::limits::{Limits, Network};
+    use futures_util::stream;
+    use serde_json::Value;
+    use std::convert::Infallible;
+    use std::net::Ipv4Addr;
+
+    /// A body of a stated length of which nothing arrives, and one that is longer than it may be.
+    #[tokio::test(start_paused = true)]
+    async fn a_body_that_is_late_and_one_that_is_too_large_have_reasons_of_their_own() {
+        let limits = Limits::default();
+        let request = |length: usize| {
+            let silent = stream::pending::<Result<Vec<u8>, Infallible>>();
+            let builder = Request::builder().header(header::CONTENT_LENGTH, length);
+            builder.body(Body::from_stream(silent)).unwrap()
+        };
+        for (length, status, why) in [(9, 408, "slow"), (LARGEST + 1, 413, "large")] {
+            let room = limits.body(None, Network(Ipv4Addr::LOCALHOST.into()));
+            let refusal = large::<Value>(room, request(length), LARGEST).await.unwrap_err();
+            assert_eq!((refusal.status.as_u16(), refusal.why), (status, why));
+        }
     }
 }

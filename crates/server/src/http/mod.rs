@@ -6,10 +6,11 @@
 //! | `/health` | programs that watch the server | the store can be read |
 //! | `/api/join` | everyone | a code for a token |
 //! | `/api/state`, `/api/stream`, `/api/events`, `/api/mine`, `/api/erase`, `/api/others`, `/api/file/NAME` | students | settings, hand-ins, own data |
-//! | `/api/survey/{number}` | students, without their seat | answers to surveys |
+//! | `/api/survey` | students, without their seat | answers to surveys |
 //! | `/teacher`, `/api/teacher/..` | the teacher | dashboard, settings, events, hand-ins |
 //!
-//! Tokens stand in the header `Authorization`; there are no cookies, so that no other page can act for a student or teacher.
+//! Tokens stand in the header `Authorization`; there are no cookies, so that no other page can act for a student or teacher. A proxy
+//! may log paths and queries beside network addresses: none has a seat, a code, or the number of something stored.
 
 mod answer;
 mod gate;

@@ -20,7 +20,7 @@ impl Server {
             .route("/api/erase", post(mine::erase))
             .route("/api/others", get(student::others))
             .route("/api/file/{name}", get(mine::file))
-            .route("/api/survey/{id}", post(student::survey))
+            .route("/api/survey", post(student::survey))
             .layer(middleware::from_fn(guard::any_origin));
         let teacher = Router::new()
             .route("/teacher", get(teacher::page))
@@ -34,7 +34,7 @@ impl Server {
             .route("/api/teacher/revoke", post(teacher::revoke))
             .route("/api/teacher/events", get(stream::poll))
             .route("/api/teacher/stream", get(stream::of_teacher))
-            .route("/api/teacher/hand-in/{seat}/{document}", get(teacher::hand_in))
+            .route("/api/teacher/hand-in", post(teacher::hand_in))
             .route("/api/teacher/sheets", get(teacher::sheets))
             .layer(middleware::from_fn_with_state(self.clone(), guard::teacher_place));
         Router::new()

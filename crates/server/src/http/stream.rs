@@ -4,9 +4,9 @@ use super::answer::{self, Refusal};
 use super::holders::{Origin, Student, Teacher};
 use super::state::Server;
 use super::student;
-use crate::class::Class;
+use crate::class::{Class, Classes};
 use crate::fold::Part;
-use crate::store::{EventRow, Fault, Store};
+use crate::store::{EventRow, Fault};
 use crate::time::now;
 use axum::body::{Body, Bytes};
 use axum::extract::State;
@@ -67,20 +67,21 @@ pub async fn of_student(
     let place = server.limits.stream((class.id().to_owned(), seat), network).ok_or(answer::MANY)?;
     let mut receiver = class.follow_settings();
     receiver.mark_changed();
-    Ok(events(stream::unfold((class, receiver, place), move |(class, mut receiver, place)| async move {
+    let from = (server, class, receiver, place);
+    Ok(events(stream::unfold(from, move |(server, class, mut receiver, place)| async move {
         if !changed(&mut receiver).await? {
             // The seat may have been erased.
             class.seat(seat)?;
-            return Some((Ok(Bytes::from_static(b":\n\n")), (class, receiver, place)));
+            return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, place)));
         }
-        let state = student::state_of(&class, seat)?;
-        Some((Ok(message(None, &state)), (class, receiver, place)))
+        let state = student::state_of(&server, &class, seat)?;
+        Some((Ok(message(None, &state)), (server, class, receiver, place)))
     })))
 }
 
 /// Events after a number, and the seats.
-async fn news(class: &Class, store: &Store, since: u64) -> Result<(u64, bool, Value), Fault> {
-    let events = store.events(class.id().to_owned(), since, PORTION).await?;
+async fn news(class: &Class, classes: &Classes, since: u64) -> Result<(u64, bool, Value), Fault> {
+    let events = classes.store().events(class.id().to_owned(), since, PORTION).await?;
     let is_whole = events.len() < PORTION as usize;
     let last = events.last().map_or(since, |event| event.number);
     let events: Vec<Value> = events.iter().map(line).collect();
@@ -89,8 +90,11 @@ async fn news(class: &Class, store: &Store, since: u64) -> Result<(u64, bool, Va
         .into_iter()
         .map(|seat| json!({ "seat": seat.seat, "pseudonym": seat.pseudonym, "approved": seat.approved }))
         .collect();
-    let settings = class.settings();
-    Ok((last, is_whole, json!({ "last": last, "now": now(), "events": events, "seats": seats, "settings": settings })))
+    let (settings, room) = (class.settings(), classes.room(class));
+    let news = json!({
+        "last": last, "now": now(), "events": events, "seats": seats, "settings": settings, "room": room,
+    });
+    Ok((last, is_whole, news))
 }
 
 /// An event without its content.
@@ -122,7 +126,7 @@ pub async fn of_teacher(
             return Some((Ok(Bytes::from_static(b":\n\n")), (server, class, receiver, since, place)));
         }
         sleep(PAUSE).await;
-        let (last, is_whole, news) = news(&class, server.classes.store(), since).await.ok()?;
+        let (last, is_whole, news) = news(&class, &server.classes, since).await.ok()?;
         if !is_whole {
             receiver.mark_changed();
         }
@@ -138,11 +142,10 @@ pub async fn poll(
 ) -> Result<Response, Refusal> {
     let (since, wait) = (number(&address, "since"), number(&address, "wait"));
     let mut receiver = class.follow_events();
-    let store = server.classes.store();
-    let mut found = news(&class, store, since).await?;
+    let mut found = news(&class, &server.classes, since).await?;
     if found.0 == since && wait > 0 {
         let _ = timeout(Duration::from_secs(wait.min(LONGEST_WAIT)), receiver.changed()).await;
-        found = news(&class, store, since).await?;
+        found = news(&class, &server.classes, since).await?;
     }
     Ok(answer::json(found.2))
 }

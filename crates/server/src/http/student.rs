@@ -6,7 +6,7 @@ use super::state::Server;
 use crate::class::{Class, NotJoined};
 use crate::codes;
 use crate::fold::{PART, Part};
-use crate::store::{Fault, NewEvent};
+use crate::store::NewEvent;
 use crate::time::now;
 use axum::body::Body;
 use axum::extract::{Path, Request, State};
@@ -20,6 +20,9 @@ use std::sync::Arc;
 
 /// Maximum number of events in one request.
 const MOST_EVENTS: usize = 5000;
+
+/// Maximum size of what stands around a sheet in its request, in bytes.
+const AROUND: usize = 1 << 10;
 
 /// List of the documents, or the only one. The fragment with the code of a class goes along.
 pub async fn index(State(server): State<Arc<Server>>, headers: HeaderMap) -> Response {
@@ -77,16 +80,19 @@ pub async fn join(
     }
 }
 
-/// State of the class for a student; `None` if the seat was erased.
-pub fn state_of(class: &Class, seat: u32) -> Option<Value> {
+/// State of the class for a student; `None` if the seat was erased. A class is `earlier` if another one was begun after it.
+pub fn state_of(server: &Server, class: &Class, seat: u32) -> Option<Value> {
     let (settings, now) = (class.settings(), now());
     let approved = class.seat(seat)?.approved;
-    Some(json!({ "now": now, "accepts": settings.accepts(now), "approved": approved, "settings": settings }))
+    let is_earlier = server.classes.latest().is_some_and(|latest| *latest != *class);
+    Some(json!({
+        "now": now, "accepts": settings.accepts(now), "approved": approved, "earlier": is_earlier, "settings": settings,
+    }))
 }
 
 /// State of the class, for pages that cannot have a stream.
-pub async fn state(Student(class, seat): Student) -> Response {
-    match state_of(&class, seat) {
+pub async fn state(State(server): State<Arc<Server>>, Student(class, seat): Student) -> Response {
+    match state_of(&server, &class, seat) {
         Some(state) => answer::json(state),
         None => refuse(StatusCode::UNAUTHORIZED, "token").into_response(),
     }
@@ -125,14 +131,7 @@ pub async fn events(
     let Some(events) = events.filter(|events| (1..=MOST_EVENTS).contains(&events.len())) else {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
     };
-    let bytes: usize = events.iter().map(|event| event.body.len()).sum();
-    if !class.has_room(seat, bytes as u64) {
-        return Err(Fault::SeatFull.into());
-    }
-    let outcome = server.classes.store().append(class.id().to_owned(), seat, at, events).await?;
-    if outcome.added > 0 {
-        class.note_size(seat, bytes as u64);
-    }
+    let outcome = server.classes.append(&class, seat, at, events).await?;
     class.tell(outcome.number);
     Ok(answer::json(json!({ "highest": outcome.highest, "now": at })))
 }
@@ -159,21 +158,28 @@ pub async fn others(State(server): State<Arc<Server>>, Student(class, seat): Stu
     Ok(answer::json(tally.for_student(seat, &settings)))
 }
 
-/// Stores the answers of one person to a survey, without seat and time. The page makes the random number in the address: sent again
-/// with the same one, they add nothing. They may arrive after the class has been closed, since they are sent at a random later time.
+/// Answers of one person to a survey.
+#[derive(Deserialize)]
+struct Answers {
+    /// Random number that the page makes. It is no part of the address, which a proxy may log beside that of the student.
+    id: String,
+    sheet: Box<RawValue>,
+}
+
+/// Stores the answers of one person to a survey, without seat and time: sent again with the same number, they add nothing. They may
+/// arrive after the class has been closed, since they are sent at a random later time.
 pub async fn survey(
     State(server): State<Arc<Server>>,
     Someone(class): Someone,
     Origin(network): Origin,
-    Path(number): Path<String>,
     request: Request<Body>,
 ) -> Result<Response, Refusal> {
     let room = server.limits.body(None, network);
-    let sheet: Box<RawValue> = answer::large(room, request, LONGEST_SHEET).await?;
+    let Answers { id, sheet } = answer::large(room, request, LONGEST_SHEET + AROUND).await?;
     let sheet = sheet.get().to_owned();
     if Sheet::read(&sheet).is_err() {
         return Err(refuse(StatusCode::BAD_REQUEST, "body"));
     }
-    server.classes.store().add_sheet(class.id().to_owned(), codes::identifier(&number), sheet).await?;
+    server.classes.add_sheet(&class, codes::identifier(&id), sheet).await?;
     Ok(answer::json(json!({})))
 }

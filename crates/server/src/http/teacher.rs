@@ -8,7 +8,7 @@ use crate::fold::{Folded, sender};
 use crate::qr;
 use crate::time::now;
 use axum::body::Body;
-use axum::extract::{Path, Request, State};
+use axum::extract::{Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
@@ -103,12 +103,19 @@ pub async fn revoke(State(server): State<Arc<Server>>, Teacher(class, own): Teac
     Ok(answer::json(json!({})))
 }
 
+#[derive(Deserialize)]
+struct OfDocument {
+    seat: u32,
+    document: String,
+}
+
 /// The hand-in of a seat for a document, as a file.
 pub async fn hand_in(
     State(server): State<Arc<Server>>,
     Teacher(class, _): Teacher,
-    Path((seat, document)): Path<(u32, String)>,
+    request: Request<Body>,
 ) -> Result<Response, Refusal> {
+    let OfDocument { seat, document } = answer::small(request).await?;
     let Some(row) = class.seat(seat) else { return Err(refuse(StatusCode::NOT_FOUND, "missing")) };
     let events = server.classes.store().events_of_seat(class.id().to_owned(), seat).await?;
     let hand_in =

@@ -46,6 +46,16 @@ const classStorage = (server) => {
     keep(`waiting:${random}`, { seq, document, part, value });
   };
 
+  // Choices for the whole page, and what belongs to a teacher: all else that pages of this address have stored is work of a person.
+  const CHOICES = ["language", "theme", "keys", "guide", "dragged", "everything", "class-names"].map((name) => `meniscus:${name}`);
+  /** Removes the work of a person and all that belongs to the seat. */
+  const clear = () => {
+    dropAll("");
+    try {
+      for (const key of Object.keys(localStorage)) if (key.startsWith("meniscus:") && !CHOICES.includes(key)) localStorage.removeItem(key);
+    } catch { /* Nothing is stored. */ }
+  };
+
   const hash = (text) => {
     let [a, b] = [0x9e3779b9, 0x85ebca6b];
     for (let at = 0; at < text.length; at++) {
@@ -56,8 +66,10 @@ const classStorage = (server) => {
   };
 
   return {
-    load, keep, drop, keys, dropAll, waiting,
+    load, keep, drop, keys, dropAll, waiting, clear,
     stores: () => stores,
+    /** Calls `react` when another tab removes the value of a key. */
+    whenDropped: (key, react) => addEventListener("storage", (event) => { if (event.key === PREFIX + key && event.newValue === null) react(); }),
     /** True if parts of `document` were added. */
     knows: (document) => keys(`known:${document}\n`).length > 0,
     /** All parts of `document` count as changed. */
@@ -79,6 +91,17 @@ const classStorage = (server) => {
         before.filter((one) => one.document === document && one.part === part).forEach(({ key }) => drop(key));
       }
       return changed;
+    },
+    /** Number of parts and of answers to surveys that the server does not have. */
+    rest: () => keys("waiting:").length + keys("sheet:").filter((key) => !load(key, {}).sent).length,
+    /** Answers to surveys that wait go to their own class; those that another class than that of `token` has are no answers to its surveys. */
+    changeClass(token) {
+      for (const key of keys("sheet:")) {
+        const sheet = load(key, {});
+        if (!sheet.token || sheet.token === token) continue;
+        drop(key);
+        if (!sheet.sent) keep(`sheet:${sheet.id}`, sheet);
+      }
     },
     /** The server has these parts. `seq`: the highest number that it knows of the seat. */
     acknowledge(parts, seq) {

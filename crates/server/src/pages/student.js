@@ -49,7 +49,12 @@
     return true;
   };
 
-  const LARGEST = 6 << 20;
+  // Less is sent at once where a request was too large, or took too long. What is too large by itself waits, and the rest goes.
+  const LARGEST = 6 << 20, SMALLEST = 1 << 14, MOST = 5000;
+  let limit = LARGEST;
+  const tooLarge = new Set();
+  // Reasons of a refusal for which there is a sentence.
+  const REASONS = ["closed", "approval", "store", "slow", "large", "seat_full", "class_full"];
   const FIRST = 1000, LONGEST = 30000;
   let sending = false, pause = FIRST, timer = 0;
   const later = () => {
@@ -69,11 +74,11 @@
       if (learned) timer = setTimeout(send, FIRST); else later();
       return;
     }
-    const waiting = storage.waiting();
+    const waiting = storage.waiting().filter(({ key }) => !tooLarge.has(key));
     if (!waiting.length) return problem === "unreachable" || problem === "store" ? again() : undefined;
     sending = true;
-    let size = 0;
-    const batch = waiting.filter((one, at) => (size += one.value.length) < LARGEST || at === 0);
+    let size = waiting[0].value.length;
+    const batch = waiting.filter((one, at) => at === 0 || ((size += one.value.length) < limit && at < MOST));
     const body = `{"events":[${batch.map((one) => `{"seq":${one.seq},"document":${JSON.stringify(one.document)},` +
       `"part":${JSON.stringify(one.part)},"value":${one.value}}`).join(",")}]}`;
     try {
@@ -83,7 +88,7 @@
         storage.acknowledge(batch, highest);
         // Another device of this seat has handed in under a greater number, and its parts count: both are merged.
         if (batch.every(({ seq }) => seq < highest)) storage.drop(LEARNED);
-        [problem, pause] = ["", FIRST];
+        [problem, pause, limit] = [storage.keys("waiting:").some((key) => tooLarge.has(key)) ? "large" : "", FIRST, Math.min(2 * limit, LARGEST)];
         if (learns() || storage.keys("waiting:").length) timer = setTimeout(send, 0);
       } else if (response.status === 409) {
         // Another device of this seat has used the numbers: what it has handed in is merged first.
@@ -94,7 +99,9 @@
         leave(words().token);
       } else {
         const reason = await why(response);
-        problem = ["closed", "approval", "store"].includes(reason) ? reason : response.status < 500 && response.status !== 429 ? "refused" : "unreachable";
+        if (["slow", "large"].includes(reason)) limit = Math.max(limit / 2, SMALLEST);
+        if (reason === "large" && batch.length === 1) tooLarge.add(batch[0].key);
+        problem = REASONS.includes(reason) ? reason : response.status < 500 && response.status !== 429 ? "refused" : "unreachable";
         later();
       }
     } catch {
@@ -155,20 +162,22 @@
     if (load(key, null)?.sent) return;
     // The server knows by the number that it has the answers already, when they are sent again because its reply was lost.
     const id = crypto.getRandomValues(new Uint32Array(4)).join("-");
-    keep(key, { text, id, due: Date.now() + 60000 + Math.random() * 540000 });
+    keep(key, { text, id, token: seat.survey, due: Date.now() + 60000 + Math.random() * 540000 });
     said = words().sheet;
     show();
   };
-  setInterval(async () => {
+  const sendSheets = async () => {
     for (const key of storage.keys("sheet:")) {
       const one = load(key, { sent: true });
       if (!seat || one.sent || one.due > Date.now()) continue;
+      const token = one.token || seat.survey;
       try {
-        const response = await ask(`/api/survey/${one.id}`, { body: one.text, token: seat.survey });
-        if (response.ok) keep(key, { sent: true });
+        const response = await ask("/api/survey", { body: `{"id":${JSON.stringify(one.id)},"sheet":${one.text}}`, token });
+        if (response.ok) keep(key, { sent: true, token });
       } catch { /* It is tried again. */ }
     }
-  }, 15000);
+  };
+  setInterval(sendSheets, 15000);
 
   // State of the class: as a stream, or by asking where a proxy keeps streams back.
   let following = null;
@@ -207,11 +216,16 @@
         said = ["closed", "full", "many"].includes(reason) ? words()[reason] : response.status === 429 ? words().code_wait : reason === "code" ? words().code_wrong : words().unreachable;
         return show();
       }
+      const isOther = Boolean(state?.earlier);
       seat = await response.json();
+      [state, following, problem, said] = [null, null, "", ""];
       keep("seat", seat);
       // All of the work here is handed in from the new seat, too.
       storage.dropAll("known:");
       storage.dropAll("learned:");
+      // Another class may have other documents: its pages make their parts themselves.
+      if (isOther) storage.dropAll("waiting:");
+      storage.changeClass(seat.survey);
       try { localStorage.setItem("meniscus:hand-in-name", seat.pseudonym); } catch { /* The form asks for a name. */ }
       if (storage.stores()) { history.replaceState(null, "", location.pathname + location.search); location.reload(); return; }
       start();
@@ -227,6 +241,46 @@
     storage.dropAll("learned:");
     show();
   };
+
+  // *Leave this computer*: hands in what waits, then removes seat, work and key from the browser, also for the other tabs of this address.
+  const PATIENCE = 20000, LOOK = 250;
+  const settle = async () => {
+    const until = Date.now() + PATIENCE;
+    const wait = () => new Promise((done) => setTimeout(done, LOOK));
+    while (making && Date.now() < until) await wait();
+    rested = 0;
+    await byItself();
+    for (const key of storage.keys("sheet:")) if (!load(key, {}).sent) keep(key, { ...load(key, {}), due: 0 });
+    await sendSheets();
+    while (storage.rest() > 0 && seat && Date.now() < until) {
+      pause = FIRST;
+      send();
+      await wait();
+    }
+  };
+  const leaveComputer = async () => {
+    if (!confirm(words().leave_sure)) return;
+    said = words().leaving;
+    show();
+    try { await settle(); } catch { /* What is left is counted below. */ }
+    said = "";
+    show();
+    if (storage.rest() > 0 && !confirm(words().leave_lost.replace("#", storage.rest()))) return;
+    gone();
+  };
+  const gone = () => {
+    [seat, following] = [null, null];
+    globalThis.classPage?.leave();
+    storage.clear();
+    // The file for a class has the seat in itself.
+    if (config.own) keep("seat", null);
+    // Not a reload, after which browsers fill fields in again.
+    history.replaceState(null, "", location.pathname + location.search);
+    location.replace(location.href);
+  };
+  storage.whenDropped("seat", () => { if (seat) gone(); });
+  // A page that comes back from the browser's memory may be one that was left.
+  addEventListener("pageshow", ({ persisted }) => { if (persisted && seat && load("seat", config.own)?.token !== seat.token) gone(); });
 
   const save = async (path, name, change = (text) => text) => {
     let response;
@@ -247,7 +301,7 @@
     const waits = count === 0 ? "" : count === 1 ? own.waits_one : own.waits.replace("#", count);
     const closes = state?.settings.closes;
     const accepts = !state || (state.accepts && (!closes || Date.now() + offset < closes));
-    const reason = state && !state.approved ? own.approval : !accepts ? own.closed : problem ? own[problem] : "";
+    const reason = state?.earlier ? own.earlier : state && !state.approved ? own.approval : !accepts ? own.closed : problem ? own[problem] : "";
     const whole = storage.keys("known:").length ? own.all_in : own.nothing;
     return [waits || (reason ? "" : whole), reason, storage.stores() ? "" : own.keep_open].filter(Boolean).join(" ");
   };
@@ -256,7 +310,7 @@
   const show = () => {
     const own = words();
     const settings = state?.settings || {};
-    const form = JSON.stringify([seat && seat.seat, document.documentElement.lang, settings.pace, settings.results || settings.others]);
+    const form = JSON.stringify([seat && seat.seat, document.documentElement.lang, settings.pace, settings.results || settings.others, state?.earlier]);
     if (form !== built) { built = form; build(own, settings); }
     const left = settings.closes ? Math.ceil((settings.closes - Date.now() - offset) / 60000) : 0;
     const text = seat ? [line(), left > 0 ? own.closes.replace("#", left) : "", said].filter(Boolean).join(" ") : said;
@@ -273,16 +327,18 @@
   };
   const build = (own, settings) => {
     bar.setAttribute("aria-label", own.region);
-    if (!seat) {
-      const code = make("input", { className: "code", id: "class-code", maxLength: 16, autocomplete: "off", spellcheck: false, required: true });
-      code.value = config.code || scanned || "";
-      const form = make("form", { onsubmit: (event) => { event.preventDefault(); join(code.value); } },
+    const joining = (typed) => {
+      const code = make("input", { className: "code", id: "class-code", maxLength: 16, autocomplete: "off", spellcheck: false, required: true, value: typed });
+      return make("form", { onsubmit: (event) => { event.preventDefault(); join(code.value); } },
         make("label", {}, own.code, code), make("button", { textContent: own.join }));
+    };
+    if (!seat) {
       bar.classList.remove("seated");
-      return bar.replaceChildren(form, stored(), status, make("p", { className: "note", textContent: own.joining }));
+      return bar.replaceChildren(joining(config.code || scanned || ""), stored(), status, make("p", { className: "note", textContent: own.joining }));
     }
     bar.classList.add("seated");
     const parts = [make("strong", { textContent: seat.pseudonym }), status];
+    if (state?.earlier) parts.push(joining(scanned || ""));
     if (settings.pace && settings.pace !== config.document) {
       parts.push(make("a", { href: `${server}/d/${encodeURIComponent(settings.pace)}`, textContent: `${own.pace} ${settings.pace}` }));
     }
@@ -309,7 +365,7 @@
       if (!confirm(own.erase_sure)) return;
       try { if ((await ask("/api/erase", { body: "{}", token: seat.token })).ok) { storage.dropAll("waiting:"); storage.dropAll("sheet:"); leave(own.erased); } }
       catch { said = own.unreachable; show(); }
-    }), stored());
+    }), button(own.leave, leaveComputer), stored());
     parts.push(fold("class-mine", own.more, mine));
     bar.replaceChildren(...parts);
   };

@@ -5,7 +5,7 @@
   const KEY = "meniscus-class-teacher";
   const load = () => { try { return localStorage.getItem(KEY); } catch { return null; } };
   const keep = (token) => { try { localStorage.setItem(KEY, token); } catch { /* The token lives as long as the page. */ } };
-  let token = load(), about = null, settings = null, seats = [], said = "";
+  let token = load(), about = null, settings = null, seats = [], said = "", room = "";
 
   // A connection may be dead without an end, as after the computer has slept: a request has a time, and is tried again.
   const LIMIT = 30000;
@@ -30,7 +30,7 @@
       const owner = seats.find((one) => one.seat === seat);
       if (!owner) continue;
       try {
-        const response = await ask(`/api/teacher/hand-in/${seat}/${encodeURIComponent(name)}`);
+        const response = await ask("/api/teacher/hand-in", { body: JSON.stringify({ seat, document: name }) });
         if (!response.ok) continue;
         const file = new File([await response.blob()], about.documents.length > 1 ? `${owner.pseudonym} (${name}).hand-in` : `${owner.pseudonym}.hand-in`);
         dispatchEvent(new CustomEvent("class-hand-in", { detail: file }));
@@ -63,6 +63,8 @@
       handed.add(event.seat);
       changed.set(`${event.seat}\n${event.document}`, [event.seat, event.document]);
     }
+    const share = Math.floor(100 * news.room.used / news.room.most);
+    room = news.room.full ? words().room_full.replace("#", Math.round(news.room.most / 1048576)) : share >= 90 ? words().room_near.replace("#", share) : "";
     said = words().live;
     show();
     pass();
@@ -145,7 +147,8 @@
     const own = words();
     const form = JSON.stringify([Boolean(token && about), document.documentElement.lang]);
     if (form !== built) { built = form; build(own); }
-    if (status.textContent !== said) status.textContent = said;
+    const text = [said, room].filter(Boolean).join(" ");
+    if (status.textContent !== text) status.textContent = text;
     if (!settings || !token) return;
     for (const [key] of boxes) inputs[key].checked = settings[key];
     pace.value = settings.pace || "";

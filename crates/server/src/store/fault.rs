@@ -22,6 +22,8 @@ pub enum Fault {
     Taken(u64),
     /// The seat has stored as much as it may.
     SeatFull,
+    /// The class has stored as much as it may.
+    ClassFull,
     /// The class has as many answers to surveys as it may.
     SheetsFull,
     /// There is no such class, seat or file.
@@ -42,6 +44,7 @@ impl Fault {
             Self::NoStore(why) => words!("is no store of classes: {}", why),
             Self::Taken(_) => words("has another event of this number"),
             Self::SeatFull => words("has no more room for this seat"),
+            Self::ClassFull => words("has no more room for this class"),
             Self::SheetsFull => words("has no more room for answers to surveys in this class"),
             Self::Missing => words("has no such class or seat"),
             Self::Ending => words("is being closed"),

@@ -33,12 +33,17 @@ mod taking;
 pub use backup::{back_up, restore};
 pub use fault::Fault;
 pub use location::Location;
-pub use rows::{ClassRow, Cursor, EventRow, NewEvent, NewSeat, News, Outcome, SeatRow};
+pub use rows::{ClassRow, Cursor, EventRow, NewEvent, NewSeat, News, Outcome, ROW, SeatRow};
 pub use sqlite::files_beside;
 
 use crate::codes::Hash;
 use postgres::Postgres;
 use sqlite::Sqlite;
+use std::time::Duration;
+use tokio::time::sleep;
+
+/// Time between two looks for what commands have erased in a file.
+const LOOK: Duration = Duration::from_secs(2);
 
 /// A store; cheap to clone.
 #[derive(Clone, Debug)]
@@ -191,11 +196,12 @@ impl Store {
         of!(self, append_of_teacher(class, at, kind, body))
     }
 
-    /// Stores the answers of one person to a survey. Answers with an identifier that is stored already add nothing.
+    /// Stores the answers of one person to a survey. Answers with an identifier that is stored already add nothing. Returns true if these
+    /// were new.
     ///
     /// # Errors
-    /// The store cannot be written.
-    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
+    /// The class has as many as it may; the store cannot be written.
+    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<bool, Fault> {
         of!(self, add_sheet(class, id, body))
     }
 
@@ -215,7 +221,7 @@ impl Store {
         of!(self, seats(class))
     }
 
-    /// Sizes of what the seats of a class have stored, in bytes.
+    /// Sizes of what the seats of a class have stored, in bytes; seat 0 has what belongs to no seat.
     ///
     /// # Errors
     /// The store cannot be read.
@@ -317,27 +323,22 @@ impl Store {
     /// # Errors
     /// The store cannot be read.
     pub async fn cursor(&self) -> Result<Cursor, Fault> {
-        match &self.kind {
-            Kind::Sqlite(_) => Ok(Cursor::default()),
-            Kind::Postgres(store) => store.cursor().await,
-        }
+        of!(self, cursor())
     }
 
-    /// Everything that any server has changed after this place, until the call. A file has one server and no news.
+    /// Everything that any server has changed after this place, until the call. A file has one server: its news is what commands have
+    /// erased beside it.
     ///
     /// # Errors
     /// The store cannot be read.
     pub async fn news(&self, since: Cursor) -> Result<News, Fault> {
-        match &self.kind {
-            Kind::Sqlite(_) => Ok(News::default()),
-            Kind::Postgres(store) => store.news(since).await,
-        }
+        of!(self, news(since))
     }
 
-    /// Waits until some server has changed something. One task at a time may wait.
+    /// Waits until some server has changed something; with a file until it is time to look. One task at a time may wait.
     pub async fn changed(&self) {
         match &self.kind {
-            Kind::Sqlite(_) => std::future::pending().await,
+            Kind::Sqlite(_) => sleep(LOOK).await,
             Kind::Postgres(store) => store.changed().await,
         }
     }

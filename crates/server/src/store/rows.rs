@@ -63,6 +63,15 @@ pub struct EventRow {
 /// Maximum number of answers to surveys in a class: those of 2,000 students to five surveys.
 pub const MOST_SHEETS: i64 = 10_000;
 
+/// Bytes that an event or a sheet takes besides its text, about: its row and its entry in an index. Also in [`SIZES`].
+pub const ROW: u64 = 100;
+
+/// Query for the bytes that each seat of a class has stored, in both databases; what belongs to no seat counts as seat 0. Its parameter is
+/// the class.
+pub const SIZES: &str = "SELECT seat, CAST(sum(size) AS BIGINT) FROM (
+    SELECT seat, octet_length(body) + 100 AS size FROM event WHERE class=$1
+    UNION ALL SELECT 0, octet_length(body) + 100 FROM sheet WHERE class=$1) AS stored GROUP BY seat";
+
 /// Result of [`super::Store::append`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {

@@ -8,7 +8,8 @@ pub fn taking_erased(backup: &str, store: &str) -> String {
     format!("INSERT INTO {store}.erased SELECT * FROM {backup}.erased WHERE true ON CONFLICT DO NOTHING")
 }
 
-/// Statements that take everything else, the events last. Their parameter is the present time.
+/// Statements that take everything else but the tokens of teachers, the events last: a backup does not tell which of these tokens were
+/// revoked afterwards. Their parameter is the present time.
 pub fn taking(backup: &str, store: &str) -> [String; 5] {
     let erased = format!("(SELECT class, seat FROM {store}.erased)");
     // An erased class is seat 0 of it.
@@ -24,7 +25,7 @@ pub fn taking(backup: &str, store: &str) -> [String; 5] {
         take("class", "*", ""),
         take("sheet", "*", ""),
         take("seat", "*", &seats),
-        take("token", "*", &seats),
+        take("token", "*", &format!("AND seat>0 {seats}")),
         take(&format!("event({EVENT})"), EVENT, &format!("{seats} ORDER BY number")),
     ]
 }

@@ -1,7 +1,7 @@
 //! A server in this process, and a small HTTP client.
 
 use serde_json::{Value, json};
-use server::class::{Class, Classes};
+use server::class::{Class, Classes, MOST_OF_CLASS};
 use server::http::{Log, Place, Server};
 use server::pages::{Document, Given, Grader, Pages, Source};
 use server::store::Location;
@@ -76,11 +76,16 @@ impl Running {
     }
 
     pub fn start_at(store: &Location, place: Place, address: &str) -> Self {
+        Self::start_with(store, place, address, MOST_OF_CLASS)
+    }
+
+    /// `room`: most that each class stores, in bytes.
+    pub fn start_with(store: &Location, place: Place, address: &str, room: u64) -> Self {
         let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_all().build().unwrap();
         let log = Lines::default();
         let (server, class, address) = runtime.block_on(async {
             let store = Store::open(store).await.unwrap();
-            let classes = Classes::open(store, Language::English, now()).await.unwrap();
+            let classes = Classes::open(store, Language::English, now()).await.unwrap().with_room(room);
             let class = classes.latest_or_begin("Tubes", 30, now()).await.unwrap();
             let pages = Pages::new(documents(), &documents()[0].html, POLICY, Language::English);
             let server = Server::new(classes, pages, place, Some(Log::new(log.clone())));
@@ -104,6 +109,16 @@ impl Running {
 
     pub fn send(&self, method: &str, path: &str, token: &str, body: &str) -> Answer {
         send(self.address, method, path, &[("Host", "127.0.0.1"), ("Authorization", &format!("Bearer {token}"))], body)
+    }
+
+    /// The hand-in of a seat for `tube.md`, as the teacher gets it.
+    pub fn hand_in(&self, seat: u32, teacher: &str) -> Answer {
+        self.post("/api/teacher/hand-in", teacher, &json!({ "seat": seat, "document": "tube.md" }))
+    }
+
+    /// Sends answers to a survey under this number.
+    pub fn survey(&self, token: &str, id: &str, sheet: &Value) -> Answer {
+        self.post("/api/survey", token, &json!({ "id": id, "sheet": sheet }))
     }
 
     /// Token of a new student.

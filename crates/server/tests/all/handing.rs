@@ -26,7 +26,7 @@ fn a_hand_in_of_a_student_reaches_the_teacher(storage: &Storage) {
     assert!(lines.iter().all(|line| line["document"] == "tube.md" && line["seat"] == 1));
     assert_eq!(running.get("/api/teacher/events?since=6", &teacher).ok()["events"], json!([]));
 
-    let file = running.get("/api/teacher/hand-in/1/tube.md", &teacher);
+    let file = running.hand_in(1, &teacher);
     let hand_in = HandIn::read(&file.body).unwrap();
     // Of several documents the sender has the name of one.
     assert_eq!(hand_in.sender.name, format!("{} (tube.md)", joined["pseudonym"].as_str().unwrap()));
@@ -68,7 +68,31 @@ fn another_device_takes_the_same_seat_and_numbers_do_not_collide(storage: &Stora
     assert_eq!(running.get("/api/hand-in/tube.md", "x").status, 401);
     running.post("/api/events", other, &json!({ "events": parts(7, "9", "wrong") })).ok();
     let teacher = running.teacher();
-    assert!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).body.contains("\"typed\":\"9\""));
+    assert!(running.hand_in(1, &teacher).body.contains("\"typed\":\"9\""));
+}
+
+/// What a proxy logs beside the address of a student must not be of use with the store: no path or query that a page asks for has a
+/// seat or the number of something stored.
+#[test]
+fn no_address_that_a_page_asks_for_has_a_seat_or_a_number_of_what_is_stored() {
+    let storage = Storage::file();
+    let running = Running::start(&storage.location);
+    let pages = [running.get("/d/tube.md", ""), running.get("/teacher", "")].map(|page| page.body);
+    let mut asked: Vec<&str> = Vec::new();
+    for page in &pages {
+        for call in page.split("/api/").skip(1) {
+            let address = call.split(['"', '`']).next().unwrap();
+            // What stands in the place of a variable.
+            asked.extend(address.split("${").skip(1).map(|rest| rest.split('}').next().unwrap()));
+        }
+    }
+    asked.sort_unstable();
+    asked.dedup();
+    // Names of documents, and the order of arrival that a dashboard has reached.
+    assert_eq!(asked, ["encodeURIComponent(config.document)", "since", "wait"]);
+    let student = running.join();
+    let old = running.post("/api/survey/1-1", student["survey"].as_str().unwrap(), &json!({}));
+    assert_eq!(old.status, 404);
 }
 
 #[test]
@@ -101,17 +125,16 @@ fn survey_answers_have_neither_seat_nor_order(storage: &Storage) {
     let survey = joined["survey"].as_str().unwrap();
     for number in 0..20 {
         let sheet = json!({ "meniscus survey": 1, "document": "T", "items": [], "n": number });
-        let path = format!("/api/survey/{number}-{number}");
         // The reply to the first one was lost: it is sent again.
-        (0..2).for_each(|_| drop(running.post(&path, survey, &sheet).ok()));
+        (0..2).for_each(|_| drop(running.survey(survey, &format!("{number}-{number}"), &sheet).ok()));
     }
     let teacher = running.teacher();
     // They are sent at a random time, which may be after the end of the lesson.
     running.post("/api/teacher/settings", &teacher, &json!({ "open": false })).ok();
-    running.post("/api/survey/late", survey, &json!({ "meniscus survey": 1, "items": [], "late": true })).ok();
+    running.survey(survey, "late", &json!({ "meniscus survey": 1, "items": [], "late": true })).ok();
     // The route takes nothing else.
     for other in [json!({ "late": true }), json!("x".repeat(5000)), json!({ "meniscus survey": 1, "items": [{}] })] {
-        assert_eq!(running.post("/api/survey/other", survey, &other).why(), (400, "body".to_owned()), "{other}");
+        assert_eq!(running.survey(survey, "other", &other).why(), (400, "body".to_owned()), "{other}");
     }
     let sheets = running.get("/api/teacher/sheets", &teacher).ok();
     let numbers: Vec<String> = sheets["sheets"].as_array().unwrap().iter().map(|sheet| sheet.to_string()).collect();

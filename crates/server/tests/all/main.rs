@@ -9,6 +9,7 @@ mod folding;
 mod handing;
 mod load;
 mod postgres;
+mod room;
 mod security;
 mod storage;
 mod streams;

@@ -37,10 +37,8 @@ fn a_class_takes_so_many_answers_to_surveys_and_says_when_it_is_full() {
         "INSERT INTO meniscus.sheet SELECT '{class}', decode(lpad(to_hex(n), 32, '0'), 'hex'), '{{}}' FROM generate_series(1, 9999) n"
     );
     Cluster::shared().sql(storage.name(), &rows);
-    let send = |number: &str| {
-        let path = format!("/api/survey/{number}");
-        running.post(&path, text(&joined, "survey"), &json!({ "meniscus survey": 1, "items": [] }))
-    };
+    let send =
+        |number: &str| running.survey(text(&joined, "survey"), number, &json!({ "meniscus survey": 1, "items": [] }));
     assert_eq!(send("1-1").status, 200);
     assert_eq!(send("2-2").why(), (413, "full".to_owned()));
     assert_eq!(send("1-1").status, 200);

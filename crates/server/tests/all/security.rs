@@ -2,9 +2,10 @@
 
 use crate::client::{Running, block, parts, place, read, send};
 use crate::storage::{Storage, cases};
-use serde_json::json;
+use serde_json::{Value, json};
 use server::http::{LARGEST, Place};
 use server::store::Location;
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::net::TcpStream;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -48,7 +49,7 @@ fn two_thousand_students_join_from_one_address(storage: &Storage) {
     });
     let seats = running.class.seats();
     assert_eq!(seats.len(), 2000);
-    let names: std::collections::BTreeSet<&str> = seats.iter().map(|seat| seat.pseudonym.as_str()).collect();
+    let names: BTreeSet<&str> = seats.iter().map(|seat| seat.pseudonym.as_str()).collect();
     assert_eq!(names.len(), 2000);
 }
 
@@ -72,15 +73,15 @@ fn tokens_open_their_own_class_and_seat_alone(storage: &Storage) {
     let student = running.join()["token"].as_str().unwrap().to_owned();
     let teacher = running.teacher();
     running.post("/api/events", &student, &json!({ "events": parts(1, "4.5", "correct") })).ok();
-    for path in ["class", "events?since=0", "stream?since=0", "hand-in/1/tube.md", "sheets"] {
+    for path in ["class", "events?since=0", "stream?since=0", "sheets"] {
         let path = format!("/api/teacher/{path}");
         assert_eq!(running.get(&path, &student).why(), (403, "token".to_owned()), "{path}");
         assert_eq!(running.get(&path, "").why(), (401, "token".to_owned()), "{path}");
         assert_eq!(running.get(&path, &"A".repeat(43)).status, 401, "{path}");
     }
-    for path in ["settings", "approve", "erase", "erase-unused", "renew-code"] {
+    for path in ["settings", "approve", "erase", "erase-unused", "renew-code", "hand-in"] {
         let path = format!("/api/teacher/{path}");
-        assert_eq!(running.post(&path, &student, &json!({ "seat": 1 })).status, 403, "{path}");
+        assert_eq!(running.post(&path, &student, &json!({ "seat": 1, "document": "tube.md" })).status, 403, "{path}");
     }
     for path in ["state", "stream", "mine", "others", "file/tube.md"] {
         assert_eq!(running.get(&format!("/api/{path}"), &teacher).status, 403, "{path}");
@@ -91,10 +92,10 @@ fn tokens_open_their_own_class_and_seat_alone(storage: &Storage) {
     let link = block(classes.link(&other)).unwrap();
     let others = running.post("/api/teacher/exchange", "", &json!({ "link": link })).ok()["token"].clone();
     let others = others.as_str().unwrap();
-    assert_eq!(running.get("/api/teacher/hand-in/1/tube.md", others).status, 404);
+    assert_eq!(running.hand_in(1, others).status, 404);
     assert_eq!(running.get("/api/teacher/events?since=0", others).ok()["events"], json!([]));
     assert_eq!(running.post("/api/teacher/erase", others, &json!({ "seat": 1 })).status, 404);
-    assert_eq!(running.get("/api/teacher/hand-in/1/tube.md", &teacher).status, 200);
+    assert_eq!(running.hand_in(1, &teacher).status, 200);
 }
 
 fn the_link_of_the_teacher_works_once(storage: &Storage) {
@@ -146,11 +147,11 @@ fn bodies_are_bounded() {
             "POST /api/events HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nAuthorization: Bearer {token}\r\n{length}\r\n\r\n"
         );
         stream.write_all(head.as_bytes()).unwrap();
-        read(&mut stream).status
+        read(&mut stream).why()
     };
-    assert_eq!(claim(&format!("Content-Length: {}", LARGEST + 1)), 413);
-    assert_eq!(claim("Content-Length: 99999999999999999999"), 400);
-    assert_eq!(claim("Transfer-Encoding: chunked"), 411);
+    assert_eq!(claim(&format!("Content-Length: {}", LARGEST + 1)), (413, "large".to_owned()));
+    assert_eq!(claim("Content-Length: 99999999999999999999").0, 400);
+    assert_eq!(claim("Transfer-Encoding: chunked").0, 411);
     let large =
         json!({ "events": [{ "seq": 1, "document": "tube.md", "part": "state", "value": "x".repeat(4 << 20) }] });
     running.post("/api/events", &token, &large).ok();
@@ -169,15 +170,36 @@ fn bodies_are_bounded() {
         assert_eq!(running.send("POST", "/api/events", &token, body).why(), (400, "body".to_owned()), "{why}");
     }
     // A seat has room for 64 MiB.
-    let mut status = 200;
+    let mut refused = (200, String::new());
     for seq in 2..20 {
         let body = json!({ "events": [{ "seq": seq, "document": "tube.md", "part": format!("item:{seq}"), "value": "x".repeat(7 << 20) }] });
-        status = running.post("/api/events", &token, &body).status;
-        if status != 200 {
+        refused = running.post("/api/events", &token, &body).why();
+        if refused.0 != 200 {
             break;
         }
     }
-    assert_eq!(status, 413);
+    assert_eq!(refused, (413, "seat_full".to_owned()));
+}
+
+/// Each reason for which a hand-in is refused has a sentence of its own in the pages.
+#[test]
+fn every_refusal_of_a_hand_in_has_its_own_sentence() {
+    let storage = Storage::file();
+    let running = Running::start(&storage.location);
+    let page = running.get("/d/tube.md", "").body;
+    let config = page.split("id=\"class-config\">").nth(1).unwrap().split("</script>").next().unwrap();
+    let config: Value = serde_json::from_str(config).unwrap();
+    let script = page.split("const REASONS = [").nth(1).unwrap().split(']').next().unwrap();
+    let reasons: Vec<&str> = script.split(", ").map(|reason| reason.trim_matches('"')).collect();
+    for reason in ["slow", "large", "seat_full", "class_full"] {
+        assert!(reasons.contains(&reason), "{reason}");
+    }
+    for language in ["en", "es", "pt"] {
+        let texts = &config["texts"][language];
+        let sentences: BTreeSet<&str> = reasons.iter().map(|reason| texts[*reason].as_str().unwrap()).collect();
+        assert_eq!(sentences.len(), reasons.len(), "{language}");
+        assert!(!sentences.contains(texts["refused"].as_str().unwrap()));
+    }
 }
 
 #[test]

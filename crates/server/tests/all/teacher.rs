@@ -1,7 +1,8 @@
 //! Actions of the teacher.
 
-use crate::client::{Running, parts};
+use crate::client::{Running, block, parts};
 use crate::storage::{Storage, cases};
+use crate::streams::Stream;
 use serde_json::{Value, json};
 
 cases!(
@@ -12,6 +13,7 @@ cases!(
     late_joiners_wait_for_the_teacher,
     others_answers_are_seen_after_ones_own_and_only_if_shown,
     settings_outlive_the_server,
+    students_of_an_earlier_class_are_told_and_join_the_present_one,
     a_teacher_revokes_other_devices_and_unused_links,
 );
 
@@ -160,6 +162,24 @@ fn others_answers_are_seen_after_ones_own_and_only_if_shown(storage: &Storage) {
     running.post("/api/teacher/settings", &teacher, &json!({ "open": true, "results": true, "others": true })).ok();
     assert_eq!(seen(0), json!([{ "question": "q1", "results": { "answered": 2, "right": 1 }, "others": ["9"] }]));
     assert_eq!(seen(2), json!([]));
+}
+
+fn students_of_an_earlier_class_are_told_and_join_the_present_one(storage: &Storage) {
+    let running = Running::start(&storage.location);
+    let joined = running.join();
+    let (mut stream, _) = Stream::open(&running, "/api/stream", token(&joined));
+    assert_eq!(stream.next().unwrap()["earlier"], false);
+    // Classes are in the order of their times, which are in milliseconds.
+    let present = block(running.server.classes().begin("Springs", 30, server::now() + 1)).unwrap();
+    assert_eq!(stream.next().unwrap()["earlier"], true);
+    assert_eq!(running.get("/api/state", token(&joined)).ok()["earlier"], true);
+    // The earlier class keeps what arrives.
+    running.post("/api/events", token(&joined), &json!({ "events": parts(1, "1", "wrong") })).ok();
+    let again = running.post("/api/join", "", &json!({ "code": present.code() })).ok();
+    assert_eq!(running.get("/api/state", token(&again)).ok()["earlier"], false);
+    running.post("/api/events", token(&again), &json!({ "events": parts(1, "2", "wrong") })).ok();
+    let mine = |joined: &Value| running.get("/api/mine", token(joined)).ok()["hand-ins"][0].to_string();
+    assert!(mine(&joined).contains(r#"\"typed\":\"1\""#) && mine(&again).contains(r#"\"typed\":\"2\""#));
 }
 
 fn settings_outlive_the_server(storage: &Storage) {

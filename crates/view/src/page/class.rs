@@ -21,14 +21,16 @@ pub fn is_here() -> bool {
     browser::by_id::<web_sys::Element>(CONFIG).is_some()
 }
 
-/// Offers two functions to the script in the object `classPage`. `handIn(name)` makes a promise of the parts of the hand-in
+/// Offers three functions to the script in the object `classPage`. `handIn(name)` makes a promise of the parts of the hand-in
 /// ([`array_of`]), or of nothing if the work is as it was at the last call. `merge(text)` takes the hand-in that the server has of the
-/// same seat, perhaps from another device.
+/// same seat, perhaps from another device. `leave()` ends storing, before the script removes what the browser has of a person.
 pub fn offer(hand_in: impl Fn(String) -> Promise + 'static, merge: impl Fn(String) + 'static) {
     let hand_in = Closure::<dyn Fn(String) -> JsValue>::new(move |name| hand_in(name).into());
     let merge = Closure::<dyn Fn(String)>::new(merge);
+    let leave = Closure::<dyn Fn()>::new(browser::end_remembering);
     let page = Object::new();
-    for (name, function) in [("handIn", hand_in.into_js_value()), ("merge", merge.into_js_value())] {
+    let functions = [hand_in.into_js_value(), merge.into_js_value(), leave.into_js_value()];
+    for (name, function) in ["handIn", "merge", "leave"].into_iter().zip(functions) {
         let _ = Reflect::set(&page, &name.into(), &function);
     }
     let _ = Reflect::set(&window(), &PAGE.into(), &page);

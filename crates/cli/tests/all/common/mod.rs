@@ -73,6 +73,13 @@ pub fn directory_with(text: &str) -> (tempfile::TempDir, PathBuf) {
     (directory, path)
 }
 
+/// Permissions of a file or folder.
+#[cfg(unix)]
+pub fn mode(path: &Path) -> u32 {
+    let permissions = std::fs::metadata(path).expect("it exists").permissions();
+    std::os::unix::fs::PermissionsExt::mode(&permissions) & 0o777
+}
+
 /// The names of all files in a directory, sorted.
 pub fn names(directory: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(directory).expect("a directory");

@@ -199,6 +199,8 @@ fn the_results_of_a_class_are_pooled() {
         let made = meniscus(&["class", "report", folder_name, "--output", path.to_str().unwrap()]);
         assert_eq!(made.code, 0, "{}", made.stderr);
         assert!(std::fs::read(&path).unwrap().starts_with(expected.as_bytes()), "{file}");
+        #[cfg(unix)]
+        assert_eq!(crate::common::mode(&path), 0o600, "{file}");
     }
     // A hand-in is not overwritten by the report on its folder.
     let own = folder.join("a.hand-in");

@@ -1,7 +1,7 @@
 //! Reading of rows.
 
 use super::super::fault::Fault;
-use super::super::rows::{ClassRow, EventRow, SeatRow, signed};
+use super::super::rows::{ClassRow, EventRow, SIZES, SeatRow, signed};
 use super::{Postgres, hash, number, value};
 use crate::codes::Hash;
 use tokio_postgres::Row;
@@ -47,8 +47,7 @@ impl Postgres {
     }
 
     pub async fn sizes(&self, class: String) -> Result<Vec<(u32, u64)>, Fault> {
-        let query = "SELECT seat, sum(octet_length(body))::bigint FROM event WHERE class = $1 GROUP BY seat";
-        let rows = self.rows(query, &[&class]).await?;
+        let rows = self.rows(SIZES, &[&class]).await?;
         rows.iter().map(|row| Ok((number(row, 0)?, number(row, 1)?))).collect()
     }
 

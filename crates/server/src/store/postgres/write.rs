@@ -83,8 +83,8 @@ WITH room AS (
   added AS (
     INSERT INTO sheet SELECT $1::text, $2::bytea, $3::text WHERE EXISTS (SELECT FROM class WHERE class = $1)
       AND (SELECT has FROM room)
-    ON CONFLICT DO NOTHING)
-SELECT has FROM room";
+    ON CONFLICT DO NOTHING RETURNING id)
+SELECT has, EXISTS (SELECT FROM added) FROM room";
 
 const ERASE_SEAT: &str = "
 WITH gone AS (DELETE FROM seat WHERE class = $1 AND seat = $2 RETURNING seat),
@@ -190,10 +190,10 @@ impl Postgres {
         number(&only(self.change(APPEND_OF_TEACHER, values).await?)?, 0)
     }
 
-    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
+    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<bool, Fault> {
         let values = vec![given(class), given(id.to_vec()), given(body), given(MOST_SHEETS)];
         let row = only(self.change(ADD_SHEET, values).await?)?;
-        if value(&row, 0)? { Ok(()) } else { Err(Fault::SheetsFull) }
+        if value(&row, 0)? { value(&row, 1) } else { Err(Fault::SheetsFull) }
     }
 
     pub async fn erase_seats(&self, class: String, seats: Vec<u32>) -> Result<(), Fault> {

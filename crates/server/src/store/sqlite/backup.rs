@@ -15,6 +15,17 @@ pub fn back_up(from: &Path, to: &Path) -> Result<(), Fault> {
     Ok(())
 }
 
+/// Removes all classes but one from a backup.
+pub fn keep_only(backup: &Path, class: &str) -> Result<(), Fault> {
+    let store = existing(backup)?;
+    let transaction = store.unchecked_transaction()?;
+    for table in ["event", "token", "seat", "sheet", "erased", "class"] {
+        transaction.execute(&format!("DELETE FROM {table} WHERE class<>?"), [class])?;
+    }
+    transaction.commit()?;
+    Ok(store.execute_batch("VACUUM")?)
+}
+
 /// Takes classes from a backup into a store. Returns the number of events that came back.
 pub fn restore(from: &Path, into: &Path, now: u64) -> Result<u64, Fault> {
     drop(existing(from)?);

@@ -1,7 +1,9 @@
 //! Reading and writing of rows.
 
 use super::super::fault::Fault;
-use super::super::rows::{ClassRow, EventRow, MOST_SHEETS, NewEvent, NewSeat, Outcome, SeatRow, signed};
+use super::super::rows::{
+    ClassRow, Cursor, EventRow, MOST_SHEETS, NewEvent, NewSeat, News, Outcome, SIZES, SeatRow, signed,
+};
 use super::Sqlite;
 use crate::codes::Hash;
 use rusqlite::{Connection, OptionalExtension, Row, params};
@@ -46,6 +48,7 @@ impl Sqlite {
 
     pub async fn add_seat(&self, class: String, seat: NewSeat, token: Hash, most: u32) -> Result<SeatRow, Fault> {
         self.change(move |connection| {
+            exists(connection, &class, 0)?;
             let number = last_seat(connection, &class)? + 1;
             if number > most {
                 return Err(Fault::SeatFull);
@@ -71,11 +74,15 @@ impl Sqlite {
 
     pub async fn exchange(&self, link: Hash, token: Hash) -> Result<Option<String>, Fault> {
         let Some(class) = self.links.lock().map_err(|_| Fault::Ending)?.remove(&link) else { return Ok(None) };
-        if let Err(fault) = self.add_token(class.clone(), 0, token).await {
-            self.add_link(class, link).await?;
-            return Err(fault);
+        match self.add_token(class.clone(), 0, token).await {
+            Ok(()) => Ok(Some(class)),
+            // The class was erased meanwhile.
+            Err(Fault::Missing) => Ok(None),
+            Err(fault) => {
+                self.add_link(class, link).await?;
+                Err(fault)
+            }
         }
-        Ok(Some(class))
     }
 
     pub async fn set_code(&self, class: String, code: String) -> Result<(), Fault> {
@@ -106,6 +113,22 @@ impl Sqlite {
         .await
     }
 
+    /// Place in what any process has erased: the number of erased seats and classes, which only grows.
+    pub async fn cursor(&self) -> Result<Cursor, Fault> {
+        self.read(|connection| {
+            let mut query = connection.prepare_cached("SELECT count(*) FROM erased")?;
+            Ok(Cursor { change: query.query_row([], |row| unsigned(row, 0))?, ..Cursor::default() })
+        })
+        .await
+    }
+
+    /// Everything that was ever erased, if anything was after this place. One server writes the file: nothing else is news.
+    pub async fn news(&self, since: Cursor) -> Result<News, Fault> {
+        let cursor = self.cursor().await?;
+        let erased = if cursor == since { Vec::new() } else { self.erased().await? };
+        Ok(News { cursor, erased, ..News::default() })
+    }
+
     pub async fn approve(&self, class: String, seat: u32) -> Result<(), Fault> {
         self.change(move |connection| {
             connection.execute("UPDATE seat SET approved=1 WHERE class=? AND seat=?", params![class, seat])?;
@@ -132,14 +155,14 @@ impl Sqlite {
         .await
     }
 
-    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<(), Fault> {
+    pub async fn add_sheet(&self, class: String, id: [u8; 16], body: String) -> Result<bool, Fault> {
         self.change(move |connection| {
+            exists(connection, &class, 0)?;
             let full = "SELECT count(*) >= ?3 AND NOT EXISTS(SELECT 1 FROM sheet WHERE class=?1 AND id=?2) FROM sheet WHERE class=?1";
             if connection.query_row(full, params![class, id, MOST_SHEETS], |row| row.get(0))? {
                 return Err(Fault::SheetsFull);
             }
-            connection.execute("INSERT OR IGNORE INTO sheet VALUES(?,?,?)", params![class, id, body])?;
-            Ok(())
+            Ok(connection.execute("INSERT OR IGNORE INTO sheet VALUES(?,?,?)", params![class, id, body])? > 0)
         })
         .await
     }
@@ -176,8 +199,7 @@ impl Sqlite {
 
     pub async fn sizes(&self, class: String) -> Result<Vec<(u32, u64)>, Fault> {
         self.read(move |connection| {
-            let mut query =
-                connection.prepare("SELECT seat, sum(octet_length(body)) FROM event WHERE class=? GROUP BY seat")?;
+            let mut query = connection.prepare(SIZES)?;
             let rows = query.query_map([class], |row| Ok((row.get(0)?, unsigned(row, 1)?)))?;
             Ok(rows.collect::<Result<_, _>>()?)
         })
@@ -243,7 +265,15 @@ fn last_seat(connection: &Connection, class: &str) -> Result<u32, Fault> {
     Ok(connection.prepare_cached(query)?.query_row([class], |row| row.get(0))?)
 }
 
+/// Fails with [`Fault::Missing`] if there is no such seat, or for seat 0 no such class: another process may have erased it.
+fn exists(connection: &Connection, class: &str, seat: u32) -> Result<(), Fault> {
+    let query =
+        "SELECT 1 FROM class WHERE class=?1 AND (?2=0 OR EXISTS(SELECT 1 FROM seat WHERE class=?1 AND seat=?2))";
+    Ok(connection.prepare_cached(query)?.query_row(params![class, seat], |_| Ok(()))?)
+}
+
 fn add_token(connection: &Connection, class: &str, seat: u32, token: &Hash) -> Result<(), Fault> {
+    exists(connection, class, seat)?;
     connection.prepare_cached("INSERT INTO token VALUES(?,?,?)")?.execute(params![token, class, seat])?;
     Ok(())
 }
@@ -261,6 +291,7 @@ fn last_number(connection: &Connection) -> Result<u64, Fault> {
 }
 
 fn append(connection: &Connection, class: &str, seat: u32, at: u64, events: &[NewEvent]) -> Result<Outcome, Fault> {
+    exists(connection, class, seat)?;
     let mut insert = connection
         .prepare_cached("INSERT OR IGNORE INTO event(class, seat, seq, at, kind, body) VALUES(?,?,?,?,?,?)")?;
     let mut same =
@@ -273,11 +304,6 @@ fn append(connection: &Connection, class: &str, seat: u32, at: u64, events: &[Ne
         } else if !same.query_row(params![event.kind, event.body, class, seat, seq], |row| row.get::<_, bool>(0))? {
             return Err(Fault::Taken(highest(connection, class, seat)?));
         }
-    }
-    if seat > 0 && added > 0 {
-        // The seat may have been erased meanwhile.
-        let mut exists = connection.prepare_cached("SELECT 1 FROM seat WHERE class=? AND seat=?")?;
-        exists.query_row(params![class, seat], |_| Ok(()))?;
     }
     Ok(Outcome { added, highest: highest(connection, class, seat)?, number: last_number(connection)? })
 }

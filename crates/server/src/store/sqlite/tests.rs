@@ -9,24 +9,26 @@ fn event(seq: u64) -> NewEvent {
     NewEvent { seq, kind: "part", body: "x".repeat(2000) }
 }
 
-async fn store_with_a_class(folder: &tempfile::TempDir) -> Sqlite {
+async fn store_with_classes(folder: &tempfile::TempDir) -> Sqlite {
     let store = Sqlite::open(&folder.path().join("class.sqlite")).unwrap();
-    let class = ClassRow {
-        class: "c".to_owned(),
-        code: "C".to_owned(),
-        title: String::new(),
-        survey: String::new(),
-        created: 0,
-        expires: 1,
-    };
-    store.add_class(class, false).await.unwrap();
+    for class in ["c", "d"] {
+        let class = ClassRow {
+            class: class.to_owned(),
+            code: class.to_owned(),
+            title: String::new(),
+            survey: String::new(),
+            created: 0,
+            expires: 1,
+        };
+        store.add_class(class, false).await.unwrap();
+    }
     store
 }
 
 #[tokio::test]
 async fn a_class_takes_so_many_answers_to_surveys_and_says_when_it_is_full() {
     let folder = tempfile::tempdir().unwrap();
-    let store = store_with_a_class(&folder).await;
+    let store = store_with_classes(&folder).await;
     let numbers = "WITH RECURSIVE number(n) AS (SELECT 1 UNION ALL SELECT n+1 FROM number WHERE n<9999)
         INSERT INTO sheet SELECT 'c', CAST(printf('%016d', n) AS BLOB), '{}' FROM number";
     store.alone(move |connection| Ok(connection.execute(numbers, []).map(drop)?)).await.unwrap();
@@ -42,7 +44,7 @@ async fn a_class_takes_so_many_answers_to_surveys_and_says_when_it_is_full() {
 #[tokio::test]
 async fn a_full_disk_loses_nothing_and_the_store_goes_on_when_there_is_room() {
     let folder = tempfile::tempdir().unwrap();
-    let store = store_with_a_class(&folder).await;
+    let store = store_with_classes(&folder).await;
     let seat = NewSeat { pseudonym: "a".to_owned(), key: [0; 32], approved: true };
     store.add_seat("c".to_owned(), seat, [1; 32], 9).await.unwrap();
     // SQLite answers with the same error as on a full disk.

@@ -23,6 +23,8 @@ pub struct Proposed {
     pub declined: Vec<Declined>,
     /// Values that questions ask for and no claim tests.
     pub untested: Vec<Words>,
+    /// Number of proposals that the work limit left untested.
+    pub unjudged: usize,
 }
 
 /// A proposal and what a run says of it.
@@ -50,15 +52,12 @@ pub fn proposed(source: &str) -> Option<Proposed> {
     let is_open = |proposal: &Proposal| !declined.iter().any(|declined| declined.key == proposal.key());
     let proposals: Vec<Proposal> =
         propose(&document, &Engine { program: &document.program }).into_iter().filter(is_open).collect();
-    Some(Proposed {
-        proposals: judged(source, &document.program, proposals),
-        untested: untested(&document.program),
-        declined,
-    })
+    let (proposals, unjudged) = judged(source, &document.program, proposals);
+    Some(Proposed { proposals, unjudged, untested: untested(&document.program), declined })
 }
 
-/// Runs proposals; those that are not worth a look are left out.
-fn judged(source: &str, stated: &Program, proposals: Vec<Proposal>) -> Vec<JudgedProposal> {
+/// Runs proposals; those that are not worth a look are left out. Also returns the number of those for which no work was left.
+fn judged(source: &str, stated: &Program, proposals: Vec<Proposal>) -> (Vec<JudgedProposal>, usize) {
     let mut text = source.to_owned();
     let mut ends = Vec::new();
     for proposal in &proposals {
@@ -66,7 +65,7 @@ fn judged(source: &str, stated: &Program, proposals: Vec<Proposal>) -> Vec<Judge
         ends.push(text.len());
     }
     // A proposal that cannot be compiled is an error in this text, and is left out.
-    let Some(document) = document::open(&text, &[]).document else { return Vec::new() };
+    let Some(document) = document::open(&text, &[]).document else { return (Vec::new(), 0) };
     let mut program = document.program;
     let checks = std::mem::take(&mut program.checks);
     let claims = checks.iter().flat_map(|check| check.claims.iter().map(move |claim| (&check.setup, claim)));
@@ -83,13 +82,15 @@ fn judged(source: &str, stated: &Program, proposals: Vec<Proposal>) -> Vec<Judge
     let outcomes = checking.outcomes().iter().flatten();
     let claims = program.checks.iter().flat_map(|check| &check.claims);
     let mut proposals: Vec<Option<Proposal>> = proposals.into_iter().map(Some).collect();
-    (own.into_iter().zip(claims.zip(outcomes)))
+    let unjudged = checking.outcomes().iter().flatten().filter(|outcome| outcome.verdict == Verdict::TooLong).count();
+    let worth = (own.into_iter().zip(claims.zip(outcomes)))
         .filter_map(|(index, (claim, outcome))| {
             let proposal = proposals.get_mut(index)?.take()?;
             let text = claim_outcome(&program, claim, outcome);
             is_worth(&proposal, claim, outcome, stated).then(|| JudgedProposal { held: outcome.held(), proposal, text })
         })
-        .collect()
+        .collect();
+    (worth, unjudged)
 }
 
 /// True if the author should look at a proposal.

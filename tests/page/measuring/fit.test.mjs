@@ -98,6 +98,7 @@ visit("a virtual measurement is fitted, and the truth is found", async (lab) => 
 
 visit("the sample with a contact line is told from the others", async (lab) => {
   await lab.tab("Measure");
+  await lab.page.locator("#other-ways summary").click();
   await lab.press("Column with a contact line");
   await records(lab).waitFor();
   await lab.tab("Measure");
@@ -202,7 +203,7 @@ visit("from the sample to the result by keyboard alone", async (lab) => {
   await eventually(async () => assert.equal((await lab.focused()).id, "browse"));
   await lab.tabTo("[role=tab]");
   await lab.keys("End", "ArrowLeft");
-  await lab.tabTo(".intake .chip");
+  await lab.tabTo("#sample-record");
   await lab.keys("Enter");
   await records(lab).waitFor();
   await lab.tabTo("[id^=fitted-]");
@@ -224,7 +225,7 @@ for (const language of ["en-GB", "es-ES"]) {
         const spanish = language === "es-ES";
         await openTheory(lab, spanish ? "Amortiguamiento lineal" : "Linear damping");
         await lab.tab(spanish ? "Medir" : "Measure");
-        await lab.page.locator(".intake .chip").first().click();
+        await lab.page.locator("#sample-record").click();
         await records(lab).waitFor();
         await fit(lab);
         await lab.page.evaluate(() => document.querySelectorAll("details").forEach((details) => (details.open = true)));

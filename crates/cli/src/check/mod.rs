@@ -1,7 +1,7 @@
 //! `meniscus check`: findings in documents as text or JSON.
 
 mod claims;
-mod proposals;
+pub mod proposals;
 
 use crate::arguments::{Check, Findings};
 use crate::failure::Failure;

@@ -18,6 +18,11 @@ pub fn as_text(proposed: &Proposed, language: Language) -> String {
     for remark in &proposed.untested {
         text.push_str(&format!("  - {}\n", sentence(&remark.text(language))));
     }
+    if proposed.unjudged > 0 {
+        let line =
+            say!(language, "not tested for lack of work: {}; a longer `step` makes runs shorter", proposed.unjudged);
+        text.push_str(&format!("  - {line}\n"));
+    }
     for declined in &proposed.declined {
         let line = say!(language, "declined: {}, {}", declined.key, declined.reason);
         text.push_str(&format!("  - {line}\n"));
@@ -50,8 +55,9 @@ pub fn counted(proposed: &Proposed, language: Language) -> String {
 
 /// JSON form of the proposals for a document. Fields are only ever added.
 #[derive(Serialize)]
-struct Document<'a> {
+pub struct Document<'a> {
     file: String,
+    unjudged: usize,
     proposals: Vec<Proposal<'a>>,
     untested: Vec<Cow<'a, str>>,
     declined: Vec<Declined<'a>>,
@@ -73,16 +79,23 @@ struct Declined<'a> {
     reason: &'a str,
 }
 
-/// One object with the array of all findings and the proposals for each document.
-pub fn as_json(findings: &str, documents: &[Loaded], proposed: &[Proposed], language: Language) -> String {
-    let documents = documents.iter().zip(proposed).map(|(loaded, proposed)| Document {
+/// The proposals for a document as JSON.
+pub fn of_document<'a>(loaded: &Loaded, proposed: &'a Proposed, language: Language) -> Document<'a> {
+    Document {
         file: loaded.sources.path().display().to_string(),
+        unjudged: proposed.unjudged,
         proposals: proposed.proposals.iter().map(|judged| one_as_json(judged, language)).collect(),
         untested: proposed.untested.iter().map(|remark| remark.text(language)).collect(),
         declined: (proposed.declined.iter())
             .map(|declined| Declined { key: &declined.key, reason: &declined.reason })
             .collect(),
-    });
+    }
+}
+
+/// One object with the array of all findings and the proposals for each document.
+pub fn as_json(findings: &str, documents: &[Loaded], proposed: &[Proposed], language: Language) -> String {
+    let documents = documents.iter().zip(proposed);
+    let documents = documents.map(|(loaded, proposed)| of_document(loaded, proposed, language));
     let findings: Value = serde_json::from_str(findings).unwrap_or_default();
     let all = serde_json::json!({ "findings": findings, "documents": documents.collect::<Vec<_>>() });
     // Texts and numbers can always be serialised.

@@ -1,7 +1,8 @@
-//! Tools about the text of documents: `check`, `format`, `examples`, `guide`.
+//! Tools about the text of documents: `check`, `propose_claims`, `format`, `examples`, `guide`.
 
 use super::answer::{Answer, Refused, data};
 use super::workplace::Call;
+use crate::check::proposals;
 use crate::page;
 use crate::terminal::findings::{Finding, findings};
 use document::page::{LIBRARY, Source, read_list};
@@ -44,6 +45,27 @@ pub fn check(call: Call, asked: Check) -> Result<Answer, Refused> {
         answer["claims"] = claims.into();
     }
     Ok(Answer::Data(answer))
+}
+
+/// Arguments of `propose_claims`.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Propose {
+    /// Path of the document below the folder.
+    document: Option<String>,
+    /// The document itself, in place of a path.
+    text: Option<String>,
+}
+
+/// Claims that follow from the document, each with its result.
+pub fn propose_claims(call: Call, asked: Propose) -> Result<Answer, Refused> {
+    let loaded = Loaded::open(call.sources(asked.document.as_ref(), asked.text.as_ref())?);
+    if loaded.opened.has_errors() {
+        let found: Vec<_> = findings(&loaded, call.language).collect();
+        return Err(Refused::with_findings("the document has errors", found));
+    }
+    let proposed = proposals::propose(&loaded);
+    Ok(Answer::Data(data(proposals::of_document(&loaded, &proposed, call.language))))
 }
 
 /// Arguments of `format`.

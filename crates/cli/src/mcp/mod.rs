@@ -5,7 +5,7 @@
 //! | `tools.rs` | the list of tools: name, description, arguments, function |
 //! | `workplace.rs` | the folder, below which files are read and written, and documents from it |
 //! | `answer.rs` | answers and refusals as JSON |
-//! | `documents.rs` | `check`, `format`, `examples`, `guide` |
+//! | `documents.rs` | `check`, `propose_claims`, `format`, `examples`, `guide` |
 //! | `runs.rs`, `summary.rs` | `run`: table, statistics, events |
 //! | `pictures.rs` | `picture`: scene and plots as PNG |
 //! | `fits.rs` | `fit`, `rank` |
@@ -44,7 +44,7 @@ use workplace::Workplace;
 /// What a client tells its model about the server.
 const INSTRUCTIONS: &str = "Meniscus runs simulations that are one Markdown document each: equations with units, a drawing, plots, \
     questions, and claims that are tested. Read `guide` before you write one. Then `check` with `run: true`, mend what the findings \
-    say, and repeat until there are none. A claim is a statement of physics that you know to be true of the motion: write several \
+    say, and repeat until there are none. Then look at `propose_claims`. A claim is a statement of physics that you know to be true of the motion: write several \
     (energy, a limit, a period), since only they show that the equations are right. `examples` has documents to begin from.";
 
 /// Serves a client until it closes the standard input.

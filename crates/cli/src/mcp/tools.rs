@@ -1,4 +1,4 @@
-//! The tools. `propose_claims` comes into this list when the program proposes claims.
+//! The tools.
 
 use super::answer::{Answer, Refused};
 use super::workplace::Call;
@@ -24,7 +24,7 @@ pub struct ToolKind {
 }
 
 /// All tools, in the order in which an author needs them.
-pub const TOOLS: [ToolKind; 8] = [
+pub const TOOLS: [ToolKind; 9] = [
     ToolKind {
         name: "guide",
         description: "The language of documents in short, with examples that run. Read it before writing a document.",
@@ -46,6 +46,14 @@ pub const TOOLS: [ToolKind; 8] = [
         schema: schema_for_type::<documents::Check>,
         writes: false,
         call: |call, value| documents::check(*call, read(value)?),
+    },
+    ToolKind {
+        name: "propose_claims",
+        description: "Claims that follow from the equations and labels of a document, each run before it is returned: energy, periods, \
+                      signs, rests. One that does not hold is a suspicion of an error, with its meaning.",
+        schema: schema_for_type::<documents::Propose>,
+        writes: false,
+        call: |call, value| documents::propose_claims(*call, read(value)?),
     },
     ToolKind {
         name: "run",

@@ -55,7 +55,7 @@ fn ways_in(app: App, has_begun: bool) -> View {
         .attr("aria-label", words.choose_record)
         .when(events::change, read);
     let way = |id: &'static str, name: &'static str, about: String| {
-        button().class("way").id(id).child(strong().child(name)).child(span().child(about))
+        button().class("way-in").id(id).child(strong().child(name)).child(span().child(about))
     };
     let mut samples: Vec<(usize, String)> = samples(app).into_iter().enumerate().collect();
     let take = move |number: usize| move |_| sample(app, number);

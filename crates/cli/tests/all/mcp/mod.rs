@@ -21,7 +21,10 @@ fn names(list: &Value) -> Vec<&str> {
 fn tools_are_listed_with_schemas_of_their_arguments() {
     let (_directory, mut client) = open();
     let tools = client.request("tools/list", json!({}))["result"]["tools"].clone();
-    assert_eq!(names(&tools), ["guide", "examples", "check", "run", "picture", "fit", "rank", "format"]);
+    assert_eq!(
+        names(&tools),
+        ["guide", "examples", "check", "propose_claims", "run", "picture", "fit", "rank", "format"]
+    );
     for tool in tools.as_array().unwrap() {
         let (name, description) = (&tool["name"], tool["description"].as_str().unwrap());
         assert!(description.len() < 300 && description.ends_with('.'), "{name}: {description}");
@@ -36,7 +39,7 @@ fn tools_are_listed_with_schemas_of_their_arguments() {
         }
     }
     // A client's model reads all of it before it does anything.
-    assert!(tools.to_string().len() < 14_000, "{} bytes", tools.to_string().len());
+    assert!(tools.to_string().len() < 15_000, "{} bytes", tools.to_string().len());
     let of = |name: &str| tools.as_array().unwrap().iter().find(|tool| tool["name"] == name).unwrap();
     assert_eq!(of("fit")["inputSchema"]["required"], json!(["data", "settings"]));
     assert_eq!(of("check")["annotations"]["readOnlyHint"], true);
@@ -243,6 +246,19 @@ fn format_returns_the_text_or_writes_the_file_that_is_named() {
     let written = client.call("format", json!({ "text": loose, "output": "new.md" }));
     assert_eq!((&written["written"], written.get("text")), (&json!("new.md"), None));
     assert_eq!(std::fs::read_to_string(directory.path().join("new.md")).unwrap(), text);
+}
+
+#[test]
+fn claims_are_proposed_with_their_results() {
+    let (_directory, mut client) = open();
+    let text = "```model\nparameter m = 0.2 [kg]\nparameter k = 10 [N/m]\nE = m*y'^2/2 + k*y^2 in [mJ] \"Energy\"\nm*y'' = -k*y\n\
+                y(0) = 3 [cm]\ny'(0) = 0\n```\n";
+    let proposed = client.call("propose_claims", json!({ "text": text }));
+    let energy = proposed["proposals"].as_array().unwrap().iter().find(|one| one["key"] == "energy E").unwrap();
+    assert_eq!(energy["holds"], false, "{energy}");
+    assert!(energy["suspicion"].as_str().unwrap().contains("E and the equations disagree"), "{energy}");
+    let faulty = client.refused("propose_claims", json!({ "text": "```model\ny'' = -z\n```\n" }));
+    assert!(faulty.to_string().contains("findings"), "{faulty}");
 }
 
 /// With the laboratory's page inside, the program carries its documents.

@@ -36,7 +36,7 @@ pub fn view(app: App) -> HtmlDiv {
         .child(film::virtual_camera(app))
 }
 
-/// Ways to a record: the sample film, a file, a sample, and folded all others.
+/// Ways to a record: the sample film and a sample, where they can be measurements of the document, a file, and folded all others.
 fn ways_in(app: App, has_begun: bool) -> View {
     let words = app.words();
     let mut input = input().r#type("file");
@@ -59,13 +59,14 @@ fn ways_in(app: App, has_begun: bool) -> View {
     };
     let mut samples: Vec<(usize, String)> = samples(app).into_iter().enumerate().collect();
     let take = move |number: usize| move |_| sample(app, number);
+    let our_film = (!samples.is_empty()).then(|| {
+        way("open-sample", words.sample_film, words.sample_film_about.to_owned())
+            .when(events::click, move |_| film::open_sample(app))
+    });
     let first = (!samples.is_empty()).then(|| samples.remove(0));
     let ways = div()
         .class("ways")
-        .child(
-            way("open-sample", words.sample_film, words.sample_film_about.to_owned())
-                .when(events::click, move |_| film::open_sample(app)),
-        )
+        .maybe(our_film)
         .child(
             way("choose-record", words.choose_record, words.choose_record_about.to_owned())
                 .when(events::click, move |_| node.click()),

@@ -96,7 +96,7 @@
         storage.drop(LEARNED);
         timer = setTimeout(send, 0);
       } else if (response.status === 401) {
-        leave(words().token);
+        if (seat) leave(words().token);
       } else {
         const reason = await why(response);
         if (["slow", "large"].includes(reason)) limit = Math.max(limit / 2, SMALLEST);
@@ -197,11 +197,12 @@
     while (alive()) {
       const open = (signal) => ask("/api/stream", { token: seat.token, signal });
       const { status } = await readStream(open, take, alive);
-      if (status === 401) return leave(words().token);
+      // Erased or left here, meanwhile: that has been said.
       if (!alive()) return;
+      if (status === 401) return leave(words().token);
       try {
         const response = await ask("/api/state", { token: seat.token });
-        if (response.status === 401) return leave(words().token);
+        if (response.status === 401) return alive() && leave(words().token);
         if (response.ok) take(await response.text());
       } catch { problem = "unreachable"; show(); }
       await wait(ASK * (0.75 + Math.random() / 2));

@@ -213,6 +213,8 @@ test("a student leaves a shared computer: the class keeps the work, and the brow
     await status(student, /^Everything is handed in/);
     await student.getByText("My seat").click();
     const key = await student.locator("#class-bar .key").innerText();
+    // The open list would cover the tabs.
+    await student.keyboard.press("Escape");
     const tab = await student.context().newPage();
     await tab.goto(address);
     await tab.getByText("My seat").waitFor();

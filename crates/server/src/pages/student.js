@@ -123,7 +123,8 @@
       later();
     }
   };
-  addEventListener("online", () => { pause = FIRST; send(); });
+  // The page that can be asked for work may come long after this script.
+  for (const kind of ["online", "class-ready"]) addEventListener(kind, () => { pause = FIRST; send(); });
 
   // A page hands in by itself when something was done, and every half minute. Then it rests ten times as long as it has computed.
   // Where nothing has been answered or measured there is nothing to hand in, unless there was before.

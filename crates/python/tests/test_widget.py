@@ -81,7 +81,7 @@ def test_a_slider_reaches_python_and_python_a_slider_in_jupyterlite(tmp_path, py
     content = tmp_path / "content"
     content.mkdir()
     # Pyodide's numpy, which the wheel asks for, is not among the wheels of pure Python; the package works without it.
-    notebook(content, "python", "%pip install -q anywidget\nimport piplite\nawait piplite.install('meniscus', deps=False)\n")
+    notebook(content, "python", "%pip install -q anywidget\nimport piplite\nawait piplite.install('meniscus-lab', deps=False)\n")
     site = lite.site(tmp_path, content, pyodide_wheel)
     handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=site)
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as running:

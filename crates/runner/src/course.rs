@@ -24,7 +24,8 @@ pub fn steps(run: &Run, until: f64) -> Result<u64, Refusal> {
 }
 
 /// Makes `steps` steps and the events up to `until` (SI). `take` gets the rows of the history that are new after each step, with
-/// the number of steps so far, first the row of the start; within a long step it gets no rows from time to time. Returns the error that ended the run, if any.
+/// the number of steps so far, first the row of the start; within a long step it gets no rows from time to time. Returns the error
+/// that ended the run, if any.
 ///
 /// # Errors
 /// The errors of `take`.

@@ -59,11 +59,7 @@ pub struct Propose {
 
 /// Claims that follow from the document, each with its result.
 pub fn propose_claims(call: Call, asked: Propose) -> Result<Answer, Refused> {
-    let loaded = Loaded::open(call.sources(asked.document.as_ref(), asked.text.as_ref())?);
-    if loaded.opened.has_errors() {
-        let found: Vec<_> = findings(&loaded, call.language).collect();
-        return Err(Refused::with_findings("the document has errors", found));
-    }
+    let loaded = call.loaded(asked.document.as_ref(), asked.text.as_ref())?;
     let proposed = proposals::propose(&loaded);
     Ok(Answer::Data(data(proposals::of_document(&loaded, &proposed, call.language))))
 }

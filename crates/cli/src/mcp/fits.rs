@@ -104,7 +104,7 @@ pub struct Fit {
     text: Option<String>,
     /// Paths of files with measured data: text, XLSX, XLS, ODS, Tracker; one for each run.
     data: Vec<String>,
-    /// What is observed, varied and held.
+    /// Observed, varied and held quantities.
     settings: Settings,
     /// Also intervals from the profile of the likelihood; takes longer.
     #[serde(default)]
@@ -132,7 +132,7 @@ pub struct Rank {
     documents: Vec<String>,
     /// Paths of files with measured data.
     data: Vec<String>,
-    /// What is observed, varied and held.
+    /// Observed, varied and held quantities.
     settings: Settings,
     /// Also fit what is before this time, and give the error of what is predicted from there on.
     predict_from: Option<Given>,

@@ -41,7 +41,7 @@ use tools::TOOLS;
 use units::Language;
 use workplace::Workplace;
 
-/// What a client tells its model about the server.
+/// Instructions for the use of the server, which a client passes to its model.
 const INSTRUCTIONS: &str = "Meniscus runs simulations that are one Markdown document each: equations with units, a drawing, plots, \
     questions, and claims that are tested. Read `guide` before you write one. Then `check` with `run: true`, mend what the findings \
     say, and repeat until there are none. Then look at `propose_claims`. A claim is a statement of physics that you know to be true of the motion: write several \

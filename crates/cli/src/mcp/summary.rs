@@ -11,7 +11,7 @@ const EVENTS: usize = 100;
 /// Change of a state that is none, as a part of its greatest amount.
 const ROUNDING: f64 = 1e-9;
 
-/// What is kept of a run. Its size does not depend on the length of the run.
+/// Summary of a run. Its size does not depend on the length of the run.
 #[derive(Debug)]
 pub struct Summary {
     table: Table,

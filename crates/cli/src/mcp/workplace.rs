@@ -1,6 +1,6 @@
 //! The folder of the server, below which all files lie, and the documents in it.
 
-use super::answer::{Refused, data};
+use super::answer::Refused;
 use crate::failure::Failure;
 use crate::terminal::findings::findings;
 use crate::terminal::output;
@@ -124,16 +124,25 @@ impl Call<'_> {
         }
     }
 
-    /// The same as a document without errors.
+    /// A document without errors, opened.
     ///
     /// # Errors
     /// As [`Call::sources`], and the findings of a document with errors.
-    pub fn theory(&self, document: Option<&String>, text: Option<&String>) -> Result<Theory, Refused> {
+    pub fn loaded(&self, document: Option<&String>, text: Option<&String>) -> Result<Loaded, Refused> {
         let loaded = Loaded::open(self.sources(document, text)?);
         if loaded.opened.has_errors() || loaded.opened.document.is_none() {
             let found: Vec<_> = findings(&loaded, self.language).collect();
-            return Err(Refused::with_findings("the document has errors", data(found)));
+            return Err(Refused::with_findings("the document has errors", found));
         }
+        Ok(loaded)
+    }
+
+    /// A document without errors, as a theory that is run or fitted.
+    ///
+    /// # Errors
+    /// As [`Call::loaded`].
+    pub fn theory(&self, document: Option<&String>, text: Option<&String>) -> Result<Theory, Refused> {
+        let loaded = self.loaded(document, text)?;
         let (sources, document) = loaded.sound().ok_or_else(|| Refused::because("the document has errors"))?;
         Ok(Theory { sources, document })
     }

@@ -6,7 +6,7 @@ pub const LABORATORY: &str = "laboratory.html";
 pub const INDEX: &str = "index.html";
 /// Guide of the language.
 pub const GUIDE: &str = "guide.md";
-/// What the site holds, for language models.
+/// List of the contents of the site, for language models.
 pub const LLMS: &str = "llms.txt";
 /// Service worker. It is at the top of the site because it only serves paths below it.
 pub const WORKER: &str = "sw.js";

@@ -10,22 +10,30 @@ use std::time::{Duration, UNIX_EPOCH};
 /// 1 January 1980, the first date of ZIP archives, which other tools accept as well.
 const DATE: Duration = Duration::from_secs(315_532_800);
 
-/// Packs files of a folder with `tar`, which Linux, macOS and Windows have, and gzip.
+/// Numeric user and group to whom files of an archive belong.
+#[derive(Clone, Copy)]
+pub struct Owner(pub u32);
+
+/// Packs files of a folder with `tar` and gzip.
 pub fn write(folder: &Path, names: &[PathBuf], archive: &Path) -> Result<()> {
+    let packed = page::gzip(&tar(folder, names, Owner(0))?)?;
+    fs::write(archive, packed).with_context(|| format!("cannot write {}", archive.display()))
+}
+
+/// Packs files and empty folders of a folder with `tar`, which Linux, macOS and Windows have.
+pub fn tar(folder: &Path, names: &[PathBuf], owner: Owner) -> Result<Vec<u8>> {
     for name in names {
-        // Windows changes times only of files that are opened for writing.
-        File::options().append(true).open(folder.join(name))?.set_modified(UNIX_EPOCH + DATE)?;
+        let path = folder.join(name);
+        // Windows changes times only of files that are opened for writing, and Linux opens no folder for writing.
+        let opened = if path.is_dir() { File::open(path)? } else { File::options().append(true).open(path)? };
+        opened.set_modified(UNIX_EPOCH + DATE)?;
     }
-    let owner: &[&str] = if cfg!(target_os = "linux") {
-        &["--owner=0", "--group=0", "--numeric-owner"]
-    } else {
-        &["--uid", "0", "--gid", "0", "--numeric-owner"]
-    };
+    let [user, group] = if cfg!(target_os = "linux") { ["--owner", "--group"] } else { ["--uid", "--gid"] };
     let mut tar = Command::new("tar");
-    tar.args(["--format", "ustar"]).args(owner).args(["-cf", "-"]).args(names).current_dir(folder);
-    let packed = tar.output().context("`tar` cannot be started")?;
+    tar.args(["--format", "ustar", user, &owner.0.to_string(), group, &owner.0.to_string(), "--numeric-owner"]);
+    let packed = tar.args(["-cf", "-"]).args(names).current_dir(folder).output().context("`tar` cannot be started")?;
     ensure!(packed.status.success(), "tar: {}", String::from_utf8_lossy(&packed.stderr));
-    fs::write(archive, page::gzip(&packed.stdout)?).with_context(|| format!("cannot write {}", archive.display()))
+    Ok(packed.stdout)
 }
 
 #[cfg(test)]

@@ -4,13 +4,15 @@
 //! |---|---|
 //! | `meniscus.html`, `site.tar.gz` | `page.rs`, `meniscus build` |
 //! | `meniscus-TARGET.tar.gz` | cargo, or cargo-zigbuild for another system |
+//! | `meniscus-class-amd64.tar` | `image.rs`, for Linux |
 //! | wheel, source distribution | maturin |
 //! | `third-party.txt`, `sbom.json` | `components.rs`, from the lock files |
-//! | `install.sh`, `install.ps1`, `meniscus.rb` | the files of `packaging`, with addresses and sums |
+//! | `install.sh`, `install.ps1`, `meniscus.rb`, `compose.yml`, `meniscus-class.service` | the files of `packaging`, with addresses and sums |
 //! | `notes.md`, `SHA256SUMS` | `CHANGELOG.md`, the files |
 
 mod archive;
 mod components;
+mod image;
 mod program;
 mod ready;
 mod sums;
@@ -33,8 +35,12 @@ pub fn make(output: &str, target: Option<&str>) -> Result<()> {
     let third = output.join("third-party.txt");
     step("third-party licences", || components::write(&third, &output.join("sbom.json")))?;
     let host = program::host()?;
-    let program = step("the program", || program::packed(target.unwrap_or(&host), &third, &output))?;
-    step("the wheel", || python::release(target.unwrap_or(&host), &output))?;
+    let made = target.unwrap_or(&host);
+    let program = step("the program", || program::packed(made, &third, &output))?;
+    if made.contains("linux") {
+        step("the image of the class server", || image::write(&program, made, &output))?;
+    }
+    step("the wheel", || python::release(made, &output))?;
     if target.is_none() {
         fs::copy(page, output.join("meniscus.html"))?;
         step("the site", || site(&program, &output))?;

@@ -9,14 +9,16 @@ use std::fs;
 use std::path::Path;
 
 /// Templates of `packaging` that are published. `@DOWNLOADS@` becomes the address of the files, `@SUM FILE@` the sum of a file.
-const TEMPLATES: [&str; 3] = ["install.sh", "install.ps1", "meniscus.rb"];
+const TEMPLATES: [&str; 5] =
+    ["install.sh", "install.ps1", "meniscus.rb", "server/compose.yml", "server/meniscus-class.service"];
 const SUMS: &str = "SHA256SUMS";
 
 /// Writes the templates whose files are all there, and the sums of everything in the folder.
 pub fn write(output: &Path) -> Result<()> {
     let mut sums = sums(output)?;
-    for name in TEMPLATES {
-        let path = steps::root().join("packaging").join(name);
+    for template in TEMPLATES {
+        let path = steps::root().join("packaging").join(template);
+        let name = template.rsplit('/').next().unwrap_or(template);
         let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
         match filled(&text, &sums) {
             Ok(text) => fs::write(output.join(name), text)?,

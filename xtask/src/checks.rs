@@ -1,12 +1,13 @@
 //! All checks of the project, ordered so that quick ones fail first and nothing is built twice.
 
 use crate::steps::{cargo, run, step};
-use crate::{golden, page, python, steps, tools};
+use crate::{golden, needs, page, python, steps, tools};
 use anyhow::Result;
 use std::process::Command;
 
 /// Runs all checks. Stops at the first failure.
 pub fn all() -> Result<()> {
+    needs::provide(needs::CHECKS)?;
     step("format", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
     tools::wasm_target()?;
     // The program embeds the page if it was built, and only then can it export and serve in the checks. A minute of its build
@@ -27,6 +28,7 @@ pub fn all() -> Result<()> {
 pub fn full() -> Result<()> {
     all()?;
     step("the Python package", python::test)?;
+    step("licences and sources of dependencies", || run(&mut tools::cargo_deny()?))?;
     step("the class server under load and killed", || {
         let server = ["test", "--release", "--package", "server", "--test", "all", "--"];
         // One after the other, so that the durations that they print are their own.

@@ -4,6 +4,7 @@ mod bench;
 mod checks;
 mod editor;
 mod golden;
+mod needs;
 mod page;
 mod pyodide;
 mod python;
@@ -28,6 +29,7 @@ cargo xtask python  build the Python package, target/python/wheel, and the one f
 cargo xtask release --output DIST [--target TARGET]
                     write the files of this version into a folder: page, site, program, wheel, source distribution, licences, sums;
                     with a target, program and wheel for it; `release sums DIST` adds what depends on the files of all targets
+cargo xtask editor  bundle the editor of the laboratory again, after a change of crates/lab/editor
 cargo xtask texts   bring the catalogues of the languages up to date with the texts of the code
 cargo xtask bench   measure steps per second, the page's size, and how fast it draws and opens, and name the ratios that are
                     a fifth below those of xtask/ratios.txt; `bench commit` writes that file; `bench emitted` measures
@@ -50,13 +52,16 @@ fn perform(arguments: &[String]) -> Result<()> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
         ["lab", document @ ..] => lab(document),
-        ["page"] => steps::step("the page", page::build).map(|page| println!("{}", page.display())),
+        ["page"] => needs::provide(needs::PAGE)
+            .and_then(|()| steps::step("the page", page::build))
+            .map(|page| println!("{}", page.display())),
         ["test"] => checks::all(),
         ["test", "full"] => checks::full(),
         ["python"] => steps::step("the Python package", python::test),
         ["release", "--output", output] => release::make(output, None),
         ["release", "--output", output, "--target", target] => release::make(output, Some(target)),
         ["release", "sums", output] => release::finish(output),
+        ["editor"] => editor::renew(),
         ["texts"] => texts::update(&steps::root()),
         ["bench"] => bench::all(false),
         ["bench", "commit"] => bench::all(true),
@@ -73,6 +78,7 @@ fn perform(arguments: &[String]) -> Result<()> {
 /// Opens a fresh build of the laboratory from its file, which needs no server. With arguments, `meniscus serve` is
 /// started with them.
 fn lab(arguments: &[&str]) -> Result<()> {
+    needs::provide(needs::PAGE)?;
     let page = steps::step("the page", page::build)?;
     if arguments.is_empty() {
         println!("The laboratory is the file {}", page.display());

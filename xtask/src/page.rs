@@ -115,6 +115,9 @@ struct Bound {
 
 /// Builds the pages and returns the path of the laboratory.
 pub fn build() -> Result<PathBuf> {
+    if !editor::minifies() {
+        println!("Without Node, scripts and styles are not minified: the page is larger and does the same.");
+    }
     wasm::build()?;
     let bound = KINDS.iter().map(|kind| bound(kind, &wasm::module(kind.package))).collect::<Result<Vec<_>>>()?;
     let [player, laboratory] = bound.as_slice() else { bail!("there are two pages") };

@@ -1,4 +1,4 @@
-//! Tools that builds and tests need: found on the machine, or installed if possible.
+//! Tools that builds and tests need, found on the machine. `needs.rs` installs them or says how.
 
 use crate::steps;
 use anyhow::{Context, Result, bail};
@@ -15,12 +15,17 @@ pub fn wasm_target() -> Result<()> {
 
 /// Installs the standard library for a target if it is missing.
 pub fn rust_target(target: &str) -> Result<()> {
-    let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]))?;
-    if Path::new(sysroot.trim()).join("lib").join("rustlib").join(target).is_dir() {
+    if has_rust_target(target) {
         return Ok(());
     }
     steps::run(&mut steps::program("rustup", &["target", "add", target]))
         .with_context(|| format!("Rust lacks the target {target}; install it with `rustup target add {target}`"))
+}
+
+/// True if the standard library for a target is installed.
+pub fn has_rust_target(target: &str) -> bool {
+    let sysroot = steps::output(&mut steps::program("rustc", &["--print", "sysroot"]));
+    sysroot.is_ok_and(|sysroot| Path::new(sysroot.trim()).join("lib").join("rustlib").join(target).is_dir())
 }
 
 /// Path of Node, at least version 20.
@@ -59,17 +64,28 @@ pub fn packages(directory: &Path) -> Result<()> {
     std::fs::write(&stamp, lock).with_context(|| format!("cannot write {}", stamp.display()))
 }
 
+/// Command that checks licences and sources of dependencies by `deny.toml`. cargo-deny is installed below the target folder.
+pub fn cargo_deny() -> Result<Command> {
+    const VERSION: &str = "0.20.2";
+    let root = steps::target().join("cargo-deny");
+    let program = root.join("bin").join(format!("cargo-deny{}", std::env::consts::EXE_SUFFIX));
+    if !program.is_file() {
+        let words = ["install", "cargo-deny", "--locked", "--version", VERSION, "--root"];
+        steps::run(steps::cargo(&words).arg(&root))?;
+    }
+    Ok(steps::program(program, &["check", "licenses", "bans", "sources"]))
+}
+
 /// A browser for the tests.
 pub struct Browser {
     name: &'static str,
     /// Environment variable with its path.
     pub variable: &'static str,
     programs: &'static [&'static str],
+    /// Usual paths. The first part may be the name of an environment variable with the folder of a user, as `%LOCALAPPDATA%`.
     places: &'static [&'static str],
     /// Further programs, in `PATH`.
     needs: &'static [&'static str],
-    /// Packages that apt installs.
-    packages: &'static [&'static str],
 }
 
 pub const CHROMIUM: Browser = Browser {
@@ -83,15 +99,26 @@ pub const CHROMIUM: Browser = Browser {
         "google-chrome",
         "google-chrome-stable",
         "chrome",
+        "microsoft-edge",
+        "microsoft-edge-stable",
     ],
     places: &[
         "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
         "/Applications/Chromium.app/Contents/MacOS/Chromium",
+        "/Applications/Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
+        "%HOME%/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
         r"C:\Program Files\Google\Chrome\Application\chrome.exe",
         r"C:\Program Files (x86)\Google\Chrome\Application\chrome.exe",
+        r"%LOCALAPPDATA%\Google\Chrome\Application\chrome.exe",
+        r"%LOCALAPPDATA%\Chromium\Application\chrome.exe",
+        r"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
+        "/snap/bin/chromium",
+        "/var/lib/flatpak/exports/bin/org.chromium.Chromium",
+        "/var/lib/flatpak/exports/bin/com.google.Chrome",
+        "%HOME%/.local/share/flatpak/exports/bin/org.chromium.Chromium",
+        "%HOME%/.local/share/flatpak/exports/bin/com.google.Chrome",
     ],
     needs: &[],
-    packages: &["chromium-headless-shell", "fonts-dejavu-core"],
 };
 
 pub const FIREFOX: Browser = Browser {
@@ -102,9 +129,12 @@ pub const FIREFOX: Browser = Browser {
         "/Applications/Firefox.app/Contents/MacOS/firefox",
         r"C:\Program Files\Mozilla Firefox\firefox.exe",
         r"C:\Program Files (x86)\Mozilla Firefox\firefox.exe",
+        r"%LOCALAPPDATA%\Mozilla Firefox\firefox.exe",
+        "/snap/bin/firefox",
+        "/var/lib/flatpak/exports/bin/org.mozilla.firefox",
+        "%HOME%/.local/share/flatpak/exports/bin/org.mozilla.firefox",
     ],
     needs: &[],
-    packages: &["firefox-esr", "fonts-dejavu-core"],
 };
 
 /// WebKitGTK, by its WebDriver, with the virtual screen and the message bus that it runs in.
@@ -114,22 +144,10 @@ pub const WEBKIT: Browser = Browser {
     programs: &["WebKitWebDriver"],
     places: &[],
     needs: &["Xvfb", "dbus-run-session"],
-    // The decoders are those of its films.
-    packages: &[
-        "webkit2gtk-driver",
-        "xvfb",
-        "dbus",
-        "gstreamer1.0-plugins-base",
-        "gstreamer1.0-plugins-good",
-        "gstreamer1.0-plugins-bad",
-        "gstreamer1.0-libav",
-        "fonts-dejavu-core",
-    ],
 };
 
 impl Browser {
-    /// Path of the browser: from the environment variable, else from `PATH` or a usual location, else after
-    /// installation with apt.
+    /// Path of the browser: from the environment variable, else from `PATH` or a usual location.
     pub fn path(&self) -> Result<PathBuf> {
         let Self { name, variable, .. } = self;
         if let Some(path) = std::env::var_os(variable).map(PathBuf::from) {
@@ -139,16 +157,13 @@ impl Browser {
                 bail!("{variable} is {}, and there is no such file", path.display())
             };
         }
-        if let Some(path) = self.installed() {
-            return Ok(path);
-        }
-        self.install()
+        self.installed()
             .with_context(|| format!("the browser tests need {name}: install it, or set {variable} to its path"))
     }
 
-    fn install(&self) -> Result<PathBuf> {
-        install(self.packages)?;
-        self.installed().context("apt-get has installed no program of this name")
+    /// True if a path is stated or the browser is installed.
+    pub fn is_there(&self) -> bool {
+        std::env::var_os(self.variable).is_some() || self.installed().is_some()
     }
 
     fn installed(&self) -> Option<PathBuf> {
@@ -156,7 +171,17 @@ impl Browser {
             return None;
         }
         let in_path = self.programs.iter().find_map(|name| find(name));
-        in_path.or_else(|| self.places.iter().map(PathBuf::from).find(|path| path.is_file()))
+        in_path.or_else(|| self.places.iter().filter_map(|place| place_of(place)).find(|path| path.is_file()))
+    }
+}
+
+/// Path of a usual location; `None` if it begins with an environment variable that is not set.
+fn place_of(place: &str) -> Option<PathBuf> {
+    match place.strip_prefix('%').and_then(|rest| rest.split_once('%')) {
+        Some((variable, rest)) => {
+            Some(PathBuf::from(std::env::var_os(variable)?).join(rest.trim_start_matches(['/', '\\'])))
+        }
+        None => Some(PathBuf::from(place)),
     }
 }
 
@@ -164,16 +189,11 @@ impl Browser {
 pub const POSTGRES: &str = "POSTGRES_BIN";
 
 /// Folder of Postgres's programs: from the environment variable, else where Debian has the newest version, or that of `initdb` in
-/// `PATH`, else after installation with apt.
+/// `PATH`.
 pub fn postgres() -> Result<PathBuf> {
-    if let Some(folder) = std::env::var_os(POSTGRES).map(PathBuf::from) {
-        return Ok(folder);
-    }
-    if let Some(folder) = installed_postgres() {
-        return Ok(folder);
-    }
-    install(&["postgresql"])
-        .and_then(|()| installed_postgres().context("apt-get has installed no `initdb`"))
+    std::env::var_os(POSTGRES)
+        .map(PathBuf::from)
+        .or_else(installed_postgres)
         .with_context(|| format!("the tests of the class server need Postgres: install it, or set {POSTGRES}"))
 }
 
@@ -186,15 +206,6 @@ fn installed_postgres() -> Option<PathBuf> {
     let versions = std::fs::read_dir("/usr/lib/postgresql").into_iter().flatten().flatten();
     let debian = versions.map(|version| version.path().join("bin")).filter(is_whole).max();
     debian.or_else(in_path)
-}
-
-/// Installs packages with apt.
-fn install(packages: &[&str]) -> Result<()> {
-    let apt = find("apt-get").context("there is no apt-get to install it")?;
-    steps::run(Command::new(&apt).arg("update"))?;
-    let mut install = Command::new(&apt);
-    install.args(["install", "--yes", "--no-install-recommends"]).args(packages);
-    steps::run(install.env("DEBIAN_FRONTEND", "noninteractive"))
 }
 
 /// Path of a program in `PATH`.

@@ -10,7 +10,7 @@ use crate::page;
 use anyhow::{Context, Result};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Name under which the image is loaded.
@@ -27,7 +27,8 @@ pub fn write(program: &Path, target: &str, output: &Path) -> Result<()> {
     let root = folder.join("root");
     fs::create_dir_all(root.join("data"))?;
     fs::copy(program, root.join("meniscus")).with_context(|| format!("cannot copy {}", program.display()))?;
-    let layers = [("meniscus", Owner(0)), ("data", USER)].map(|(name, owner)| archive::tar(&root, &[name.into()], owner));
+    let layers =
+        [("meniscus", Owner(0)), ("data", USER)].map(|(name, owner)| archive::tar(&root, &[name.into()], owner));
 
     let mut blobs = Blobs { folder: folder.join("image"), names: vec!["oci-layout".into(), "index.json".into()] };
     fs::create_dir_all(blobs.folder.join("blobs").join("sha256"))?;

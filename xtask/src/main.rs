@@ -4,6 +4,7 @@ mod bench;
 mod checks;
 mod editor;
 mod golden;
+mod order;
 mod page;
 mod pyodide;
 mod python;

@@ -5,6 +5,7 @@ mod checks;
 mod editor;
 mod golden;
 mod needs;
+mod order;
 mod page;
 mod pyodide;
 mod python;

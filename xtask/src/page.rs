@@ -21,8 +21,8 @@
 //! one asks for it. In a site the elements are files of their own, and the player's module is the one of all its pages.
 
 use crate::wasm::{self, Host};
-use crate::{editor, steps};
-use anyhow::{Context, Result, anyhow, bail};
+use crate::{editor, order, steps};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use base64::Engine as _;
 use document::page::{self, Source};
 use flate2::{Compression, write::GzEncoder};
@@ -43,6 +43,9 @@ const LATER: &str = "<!--later-->";
 
 /// Beginning of the element of the views, which gets the number of shipped documents: the player shows it before they arrive.
 const PLACE: &str = "<div id=\"lab\"";
+
+/// Most bytes, gzipped, that a visitor of the laboratory receives before the first picture. A build with more fails.
+const MOST_BEFORE_PICTURE: usize = 600_000;
 
 /// Number of iterations of zopfli; more do not make the page smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
@@ -133,17 +136,23 @@ pub fn build() -> Result<PathBuf> {
         write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
         print_sizes(&kind, &page)?;
     }
-    Ok(steps::page())
+    let page = steps::page();
+    let first = gzip(before_picture(&read(&page)?).as_bytes())?.len();
+    ensure!(
+        first <= MOST_BEFORE_PICTURE,
+        "{first} bytes, gzipped, precede the first picture of the laboratory, more than {MOST_BEFORE_PICTURE}: let something load later"
+    );
+    Ok(page)
 }
 
-/// Generates the JavaScript of a module and compresses the module.
+/// Generates the JavaScript of a module, and compresses the module in the order of functions that suits this.
 fn bound(kind: &Kind, module: &Path) -> Result<Bound> {
     let directory = steps::target().join("page").join("parts");
     wasm::bind(module, Host::Page(kind.global), &directory)?;
     let glue = editor::minified(&directory.join(format!("{}.js", kind.package)))?;
     let module = directory.join(format!("{}_bg.wasm", kind.package));
     let module = std::fs::read(&module).with_context(|| format!("cannot read {}", module.display()))?;
-    let packed = pack(zopfli::Format::Gzip, &module)?;
+    let packed = pack(zopfli::Format::Gzip, &order::reordered(&module)?)?;
     Ok(Bound { glue, packed, texts: texts(&module)? })
 }
 

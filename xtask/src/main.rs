@@ -3,6 +3,7 @@
 mod bench;
 mod checks;
 mod editor;
+mod element;
 mod golden;
 mod needs;
 mod order;

@@ -21,7 +21,7 @@
 //! one asks for it. In a site the elements are files of their own, and the player's module is the one of all its pages.
 
 use crate::wasm::{self, Host};
-use crate::{editor, order, steps};
+use crate::{editor, element, order, steps};
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use base64::Engine as _;
 use document::page::{self, Source};
@@ -136,13 +136,40 @@ pub fn build() -> Result<PathBuf> {
         write_whole(&path, page.as_bytes()).with_context(|| format!("cannot write {}", path.display()))?;
         print_sizes(&kind, &page)?;
     }
+    package(player, laboratory)?;
     let page = steps::page();
     let first = gzip(before_picture(&read(&page)?).as_bytes())?.len();
-    ensure!(
-        first <= MOST_BEFORE_PICTURE,
-        "{first} bytes, gzipped, precede the first picture of the laboratory, more than {MOST_BEFORE_PICTURE}: let something load later"
-    );
+    ensure_small("what precedes the first picture of the laboratory", first, MOST_BEFORE_PICTURE)?;
     Ok(page)
+}
+
+/// Fails if a part has more bytes, gzipped, than it may have. Without Node nothing is minified and nothing fails.
+pub fn ensure_small(part: &str, size: usize, most: usize) -> Result<()> {
+    ensure!(
+        size <= most || !editor::minifies(),
+        "{part} has {size} bytes, gzipped, more than {most}: let something load later"
+    );
+    Ok(())
+}
+
+/// Writes the npm package of the element, which is made of the same parts.
+fn package(player: &Bound, laboratory: &Bound) -> Result<()> {
+    let source = steps::root().join("crates").join("view").join("page");
+    let html = read(&source.join("index.html"))?;
+    let first = html.split_once("<script>").and_then(|(_, rest)| rest.split_once("</script>"));
+    let (first_script, _) = first.context("crates/view/page/index.html has no script")?;
+    let boot = editor::minified(&source.join("boot.js"))?;
+    let style = style(KINDS[0].package, KINDS[0].styles)? + &font(&source)?;
+    let texts: Vec<(&str, &[u8])> =
+        player.texts.iter().map(|(language, packed)| (language.tag(), packed.as_slice())).collect();
+    element::write(&element::Parts {
+        scripts: &[&player.glue, &boot, "textsArrived();\n"],
+        first_script,
+        style: &style,
+        module: &player.packed,
+        texts: &texts,
+        laboratory: (&laboratory.glue, &laboratory.packed),
+    })
 }
 
 /// Generates the JavaScript of a module, and compresses the module in the order of functions that suits this.
@@ -191,9 +218,7 @@ fn encoded(bytes: &[u8]) -> String {
 fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
     let crates = steps::root().join("crates");
     let source = crates.join("view").join("page");
-    let font = source.join("math.woff2");
-    let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
-    let font = style("math-font", &["view/page/math-font.css"])?.replace("/*math-font*/", &encoded(&font));
+    let font = font(&source)?;
     let style = style(kind.package, kind.styles)?;
     let opening = crates.join("lab").join("page").join("opening.js");
     let opening = if kind.is_laboratory { editor::minified(&opening)? } else { String::new() };
@@ -224,6 +249,13 @@ fn assemble(kind: &Kind, player: &Bound) -> Result<String> {
         bail!("crates/view/page/index.html must contain {} once", page::MARKER);
     }
     Ok(html)
+}
+
+/// Style with the font of equations, from the folder `source`.
+fn font(source: &Path) -> Result<String> {
+    let font = source.join("math.woff2");
+    let font = std::fs::read(&font).with_context(|| format!("cannot read {}", font.display()))?;
+    Ok(style("math-font", &["view/page/math-font.css"])?.replace("/*math-font*/", &encoded(&font)))
 }
 
 /// Minified style sheets below `crates`; `name` is that of a temporary file.

@@ -36,7 +36,10 @@ fn show(place: &HtmlElement, embedding: Embedding, language: Language) {
             answers::restore(app);
         }
         follow_link(app);
-        surrounding::follow(app);
+        if let Some(around) = surrounding::follow(app) {
+            // Set here for the first time, so this cannot fail.
+            let _ = simulation.surrounding.set(around);
+        }
         class::listen(app);
         browser::listen("hashchange", move |_: &web_sys::Event| follow_link(app));
         // Set here for the first time, so this cannot fail. Answers are saved from now on.

@@ -2,6 +2,7 @@
 
 use crate::answers;
 use crate::course::Course;
+use crate::surrounding::Surrounding;
 use play::{Embedding, Play};
 use program::bundle;
 use std::cell::{Cell, OnceCell, RefCell};
@@ -18,6 +19,8 @@ pub struct Simulation {
     pub play: RefCell<Option<Play>>,
     /// Handle of its views.
     pub app: OnceCell<App>,
+    /// Page around this one, once it is followed.
+    pub surrounding: OnceCell<&'static Surrounding>,
     /// Course that the page belongs to, if it does.
     pub course: Option<Course>,
     /// Options in the address of the page.
@@ -83,6 +86,9 @@ impl Host for Simulation {
         let (Some(answers), Some(app)) = (answers, self.app.get()) else { return };
         if self.is_passed_on || self.saved.replace(answers) == answers {
             return;
+        }
+        if let Some(surrounding) = self.surrounding.get() {
+            surrounding.answers_changed(*app);
         }
         match &self.course {
             Some(course) if !course.is_alone() => course.answers_changed(*app),

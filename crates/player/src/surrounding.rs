@@ -1,37 +1,117 @@
-//! Parameters in both directions between this page and a page around it, such as a notebook, by messages of the browser:
-//! `{ meniscus: { parameters: { b: 250 } } }`, numbers in declared units, and words of choices. This page answers each message with
-//! all its values, and afterwards tells each change. A page around it that says nothing hears nothing of them.
+//! Messages of the browser between this page and a page around it, such as a notebook: `{ meniscus: { parameters: { b: 250 } } }`,
+//! numbers in declared units, and words of choices. This page answers each message with all its values, and afterwards tells
+//! each change, `{ meniscus: { run: { status, time } } }` whenever the run starts or stops (time in the unit of the independent
+//! variable), and `{ meniscus: { answer: { question, typed, grade } } }` for each answer that is checked (questions from 1). A page
+//! around it that says nothing hears nothing of them.
 
 use js_sys::{Object, Reflect};
+use play::{Play, Status};
 use program::Parameter;
-use std::cell::Cell;
-use std::rc::Rc;
+use std::cell::{Cell, RefCell};
 use view::App;
 use view::browser;
 use view::views::{effect, window};
 use wasm_bindgen::JsValue;
 use web_sys::{MessageEvent, Window};
 
-/// Listens to the page around this one, if there is one.
-pub fn follow(app: App) {
+/// The page around this one.
+pub struct Surrounding {
+    window: Window,
+    /// True once it has sent a message.
+    is_asked: Cell<bool>,
+    /// For each question, number of checked answers that it knows of.
+    known: RefCell<Vec<usize>>,
+}
+
+/// Listens to the page around this one, if there is one. What it returns lives as long as the page.
+pub fn follow(app: App) -> Option<&'static Surrounding> {
     // The window of a page that nothing surrounds is its own parent.
-    let Some(parent) = window().parent().ok().flatten().filter(|parent| *parent != window()) else { return };
-    let is_asked = Rc::new(Cell::new(false));
-    let (asked, speaker) = (Rc::clone(&is_asked), parent.clone());
+    let parent = window().parent().ok().flatten().filter(|parent| *parent != window())?;
+    let known = RefCell::new(app.read(|play| counts(play)));
+    let around: &'static Surrounding =
+        Box::leak(Box::new(Surrounding { window: parent, is_asked: Cell::new(false), known }));
     browser::listen("message", move |event: &MessageEvent| {
         let wanted = part(&event.data(), "meniscus").and_then(|said| part(&said, "parameters"));
-        let is_parent = event.source().is_some_and(|source| Object::is(&source, &speaker));
+        let is_parent = event.source().is_some_and(|source| Object::is(&source, &around.window));
         let Some(wanted) = wanted.filter(|_| is_parent) else { return };
-        asked.set(true);
         set(app, &wanted);
-        tell(app, &speaker);
+        tell(app, &around.window);
+        if !around.is_asked.replace(true) {
+            around.tell_run(app);
+        }
     });
     effect(move || {
         app.changes.parameters.track();
-        if is_asked.get() {
-            tell(app, &parent);
+        if around.is_asked.get() {
+            tell(app, &around.window);
         }
     });
+    let told = Cell::new(None);
+    effect(move || {
+        app.changes.transport.track();
+        let status = app.read(|play| Some(play.time_line().status()));
+        if told.replace(status) != status && around.is_asked.get() {
+            around.tell_run(app);
+        }
+    });
+    Some(around)
+}
+
+impl Surrounding {
+    /// Sends status and time of the run.
+    fn tell_run(&self, app: App) {
+        let run = app.read(|play| {
+            let status = match play.time_line().status() {
+                Status::Paused => "paused",
+                Status::Playing => "playing",
+                Status::Full => "full",
+                Status::Failed => "failed",
+                Status::Ended => "ended",
+            };
+            let time = play.model().independent.unit.from_si(play.course().time());
+            object(&[("status", status.into()), ("time", time.into())])
+        });
+        say(&self.window, "run", &run);
+    }
+
+    /// Sends the answers that have been checked since the last call.
+    pub fn answers_changed(&self, app: App) {
+        let now = app.read(|play| counts(play));
+        let before = self.known.replace(now.clone());
+        if !self.is_asked.get() {
+            return;
+        }
+        for (question, count) in now.into_iter().enumerate() {
+            let known = before.get(question).copied().unwrap_or_default();
+            for number in known..count {
+                say(&self.window, "answer", &app.read(|play| answer(play, question, number)));
+            }
+        }
+    }
+}
+
+/// Number of checked answers to each question.
+fn counts(play: &Play) -> Vec<usize> {
+    let questions = 0..play.program().questions.len();
+    questions.map(|question| play.answers().answer(play.basis(), question).attempts.len()).collect()
+}
+
+/// A checked answer.
+fn answer(play: &Play, question: usize, number: usize) -> Object {
+    let attempts = play.answers().answer(play.basis(), question).attempts;
+    let (typed, grade) =
+        attempts.get(number).map_or_else(Default::default, |attempt| (attempt.typed.clone(), attempt.grade().code()));
+    let question = JsValue::from((question + 1) as f64);
+    object(&[("question", question), ("typed", typed.into()), ("grade", grade.into())])
+}
+
+/// Object with these members.
+fn object(members: &[(&str, JsValue)]) -> Object {
+    let object = Object::new();
+    for (name, value) in members {
+        let _ = Reflect::set(&object, &(*name).into(), value);
+    }
+    object
 }
 
 /// Member of an object that is an object itself.
@@ -81,8 +161,6 @@ fn tell(app: App, parent: &Window) {
 
 /// Sends `{ meniscus: { name: value } }` to a page around this one, whoever it is: nothing in it may be confidential.
 pub fn say(parent: &Window, name: &str, value: &JsValue) {
-    let (message, said) = (Object::new(), Object::new());
-    let _ = Reflect::set(&said, &name.into(), value);
-    let _ = Reflect::set(&message, &"meniscus".into(), &said);
-    let _ = parent.post_message(&message, "*");
+    let said = object(&[(name, value.clone())]);
+    let _ = parent.post_message(&object(&[("meniscus", said.into())]), "*");
 }

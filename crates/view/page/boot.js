@@ -96,9 +96,11 @@ const failed = (error) => {
 };
 // Starts the player with the simulation of the page.
 const start = async () => {
+  // A page in the frame of an element gets what the simulations around it share, and its own.
+  const given = globalThis.frameElement && frameElement.given;
   // A page without a simulation has no bundle.
   const parts = ["module", "bundle"].map((id) => document.getElementById(id)).filter((part, place) => part || !place);
-  const [module, bundle] = await Promise.all(parts.map((part) => inflated(part)));
+  const [module, bundle] = await (given || Promise.all(parts.map((part) => inflated(part))));
   await firstFrame;
   globalThis.bundle = bundle && new Uint8Array(bundle);
   await wasm_bindgen({ module_or_path: module });

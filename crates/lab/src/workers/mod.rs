@@ -11,8 +11,11 @@
 //! Where a browser refuses workers, `InProcess` computes fits in slices, `Collection::advance` the hand-ins, and
 //! `Plots::work_beside` the runs, which it also does until the workers are ready. Batches of runs are handed out in frames
 //! only: in a hidden page the workers finish their batches and wait.
+//!
+//! An order that is a text is a document to be compiled (`compiling.rs`): pages with the player alone begin such a worker.
 
 mod answer;
+mod compiling;
 mod fits;
 mod order;
 mod pool;

@@ -1,6 +1,7 @@
 //! What happens in a worker: it does what the page orders, one order after the other, and answers.
 
 use super::answer::answer;
+use super::compiling::compile;
 use super::order::Order;
 use super::sweeping::Sweeping;
 use class::collection::{Calculator, Computed};
@@ -24,6 +25,9 @@ pub fn serve() {
     let Some(sweeping) = Sweeping::new(&worker) else { return };
     let (page, mut calculator) = (worker.clone(), Calculator::default());
     let accept = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        if let Some(text) = event.data().as_string() {
+            return compile(&text, &page);
+        }
         let message = postcard::from_bytes::<(u32, Order)>(&Uint8Array::new(&event.data()).to_vec());
         let Ok((number, order)) = message else { return };
         match order {

@@ -9,9 +9,17 @@ use units::Language;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Event, HtmlElement, Node};
 
-/// Options in the address of the page.
+/// Attribute of the root with the options of a page that has no address of its own: the text of a frame.
+const OPTIONS: &str = "data-options";
+
+/// Options of the page: those of its address, or of a page without one.
 pub fn embedding() -> Embedding {
-    Embedding::read(&window().location().search().unwrap_or_default())
+    Embedding::read(&options().unwrap_or_else(|| window().location().search().unwrap_or_default()))
+}
+
+/// Options of a page without an address.
+fn options() -> Option<String> {
+    document().document_element()?.get_attribute(OPTIONS)
 }
 
 /// Language of the page: the one in its address, otherwise the one chosen at an earlier visit, otherwise that of the browser. The
@@ -19,6 +27,10 @@ pub fn embedding() -> Embedding {
 /// address, so that a later choice survives a reload.
 pub fn language(embedding: &Embedding) -> Language {
     if let Some(language) = embedding.language {
+        // Other pages of the site around it, whose store it has, are not concerned.
+        if options().is_some() {
+            return language;
+        }
         let location = window().location();
         let query = location.search().unwrap_or_default();
         let fields = query.trim_start_matches('?').split('&').filter(|field| !field.starts_with("language="));

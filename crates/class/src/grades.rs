@@ -6,6 +6,7 @@ use units::Language;
 /// Name of a grade.
 pub(crate) fn grade_name(grade: Grade, language: Language) -> &'static str {
     match grade {
+        Grade::Partly(_) => language.say("partly right"),
         Grade::Correct => language.say("right"),
         Grade::Close => language.say("nearly right"),
         Grade::WrongSign => language.say("wrong sign"),

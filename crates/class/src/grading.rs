@@ -25,6 +25,8 @@ pub struct GivenAnswer {
     pub shown: Option<usize>,
     /// True if a right answer was given, and before the right answer was shown.
     pub found: bool,
+    /// Share of the credit, from 0 to 1.
+    pub credit: f64,
 }
 
 impl GivenAnswer {
@@ -83,6 +85,7 @@ impl Grader {
             attempts: view.attempts,
             shown: view.shown,
             found: view.found,
+            credit: view.credit,
         }
     }
 }

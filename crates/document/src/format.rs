@@ -113,8 +113,8 @@ fn question(source: &str, content: Range<usize>) -> Option<Vec<Edit>> {
     let parts = questions::split(source, content.clone(), &mut Vec::new());
     let mut edits = prose::without_trailing_blanks(source, parts.prompt());
     for (key, range) in parts.fields() {
-        if matches!(*key, "set" | "hide" | "answer") {
-            let line = range.start - key.len() - 1..range.end;
+        if key.holds == questions::Holds::Expressions {
+            let line = range.start - key.word.len() - 1..range.end;
             let end = trim(source, line.clone()).end;
             edits.extend(model::format(source, line.start..end, Form::Lines)?);
             edits.extend(lines(source, end..range.end).flat_map(|line| without_blanks(source, &line)));

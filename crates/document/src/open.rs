@@ -223,7 +223,7 @@ impl<'a> File<'a> {
                     let raw = questions::split(self.outline.source(), block.content.range(), diagnostics);
                     let number = place(&raw);
                     numbers.push(number);
-                    let text = questions::texts(&mut prose, &raw);
+                    let text = questions::texts(self.outline.source(), &mut prose, &raw);
                     if let Some(number) = number {
                         texts.resize_with(texts.len().max(number + 1), QuestionText::default);
                         texts[number] = text;

@@ -244,6 +244,9 @@ table_of_words! {
     question_follows: "Appears after question";
     question_follows_previous: "Show it when the question before is answered";
     question_unlocks: "Hidden until answered";
+    question_wrong: "Expected wrong answers, each with a remark in quotation marks";
+    question_choose: "Can be chosen: one or several";
+    question_options: "Options in quotation marks, the right ones followed by: right";
     question_attempts: "Attempts allowed";
     question_explanation_title: "Explanation";
     question_in_text: "Go to the text";

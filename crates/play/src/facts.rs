@@ -70,8 +70,8 @@ pub fn facts_of_answers(play: &Play) -> Vec<Fact> {
         if let Some(stated) =
             answer.stated.filter(|_| answer.attempts.last().is_none_or(|one| one.conditions.is_none()))
         {
-            add("given".to_owned(), text(stated.code()));
-            add("end-grade".to_owned(), text(end_grade(&answer.typed).code()));
+            add("given".to_owned(), text(&stated.code()));
+            add("end-grade".to_owned(), text(&end_grade(&answer.typed).code()));
         }
         if let Some(Limit { allowed, made }) = answer.limit {
             add("allowed".to_owned(), number(allowed as f64));
@@ -82,11 +82,11 @@ pub fn facts_of_answers(play: &Play) -> Vec<Fact> {
             if let Some(conditions) = &attempt.conditions {
                 add(format!("conditions:{number}"), text(&conditions.text()));
             }
-            add(format!("given:{number}"), text(attempt.stated.code()));
+            add(format!("given:{number}"), text(&attempt.stated.code()));
             if attempt.conditions.is_none() {
-                add(format!("end-grade:{number}"), text(end_grade(&attempt.typed).code()));
+                add(format!("end-grade:{number}"), text(&end_grade(&attempt.typed).code()));
             }
-            add(format!("grade:{number}"), text(attempt.computed.map_or(UNKNOWN_GRADE, Grade::code)));
+            add(format!("grade:{number}"), text(&attempt.computed.map_or(UNKNOWN_GRADE.into(), Grade::code)));
         }
     }
     facts

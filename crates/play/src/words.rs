@@ -107,9 +107,15 @@ pub fn stated_error(language: Language, correct: bool, within: bool) -> &'static
     }
 }
 
+/// Text for a choice without a chosen option.
+pub fn nothing_chosen(language: Language) -> &'static str {
+    language.say("Choose an answer.")
+}
+
 /// Text of a grade.
-pub fn grade(language: Language, grade: Grade) -> &'static str {
-    match grade {
+pub fn grade(language: Language, grade: Grade) -> String {
+    let text = match grade {
+        Grade::Partly(percent) => return say!(language, "Partly right: {percent} % of the credit."),
         Grade::Correct => language.say("Correct."),
         Grade::Close => language.say("Close, but not close enough. Measure again."),
         Grade::WrongSign => language.say("The size is right; think about the sign."),
@@ -117,7 +123,8 @@ pub fn grade(language: Language, grade: Grade) -> &'static str {
         Grade::Wrong => language.say("Not yet."),
         Grade::Unreadable => language.say("This is not a number."),
         Grade::Unanswerable => language.say("With the present parameters this has no answer."),
-    }
+    };
+    text.to_owned()
 }
 
 /// Text of a refusal.

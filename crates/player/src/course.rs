@@ -221,20 +221,26 @@ fn counts(play: &Play) -> Vec<(usize, bool)> {
     answers.map(|answer| (answer.attempts.len(), answer.shown.is_some())).collect()
 }
 
-/// An attempt as arguments of the script: id, true for a plain number in the unit that is asked for, response, and result.
+/// An attempt as arguments of the script: id, type of the interaction, response, and result. The type is `choice` with letters, `numeric`
+/// for a plain number in the unit that is asked for, or `fill-in`. The result is a word, or a share of the credit.
 fn attempt(play: &Play, question: usize, number: usize) -> Option<Array> {
     let given = play.answers().answer(play.basis(), question).attempts.into_iter().nth(number)?;
     let (grade, typed) = (given.grade(), given.typed);
     let plain = play.answers().number(play.basis(), question, &typed).map(|number| number.to_string());
-    let plain = plain.filter(|text| is_plain(text));
+    let (kind, response) = match plain.filter(|text| is_plain(text)) {
+        Some(number) => ("numeric", number),
+        None if play.program().questions.get(question)?.number().is_some() => ("fill-in", typed),
+        None if grade.is_attempt() => ("choice", typed.to_lowercase().replace(' ', "")),
+        None => ("fill-in", typed),
+    };
     let result = match grade {
-        Grade::Correct => "correct",
-        Grade::Unreadable | Grade::Unanswerable => "neutral",
-        _ => "wrong",
+        Grade::Correct => "correct".to_owned(),
+        Grade::Partly(_) => grade.credit().to_string(),
+        Grade::Unreadable | Grade::Unanswerable => "neutral".to_owned(),
+        _ => "wrong".to_owned(),
     };
     let id = format!("q{}_{}", question + 1, number + 1);
-    let is_number = plain.is_some();
-    Some(Array::of4(&id.into(), &is_number.into(), &plain.unwrap_or(typed).into(), &result.into()))
+    Some(Array::of4(&id.into(), &kind.into(), &response.into(), &result.into()))
 }
 
 /// True for a number with at most 5 digits before the point and 18 after it, as SCORM 2004 takes it.

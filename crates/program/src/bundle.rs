@@ -11,7 +11,7 @@ use crate::{
 /// Signature at the start of a bundle.
 const SIGNATURE: &[u8] = b"meniscus";
 /// Format version; raised whenever a program of an earlier version would be misread.
-const VERSION: u8 = 12;
+const VERSION: u8 = 13;
 /// Maximum length of a bundle, in bytes. Documents are at most 1 MiB long.
 const LONGEST: usize = 16 << 20;
 
@@ -96,7 +96,7 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.questions.iter().enumerate().all(|(number, question)| {
             let hidden = |index: &usize| *index < model.quantities.len();
             assignments(&question.setup)
-                && compiled(&question.answer)
+                && question.values().all(compiled)
                 && question.hides.iter().all(hidden)
                 && question.after.iter().all(|earlier| *earlier < number)
         })
@@ -112,7 +112,8 @@ fn check(program: &Program) -> Result<(), BundleError> {
         && program.survey.len() <= SurveyItem::MOST
         && program.editions.iter().all(|edition| {
             let mut items = program.survey.iter().zip(&edition.survey);
-            items.all(|(item, text)| item.is_sound(text))
+            let mut questions = program.questions.iter().zip(&edition.questions);
+            items.all(|(item, text)| item.is_sound(text)) && questions.all(|(question, text)| question.is_sound(text))
         })
         && program.editions.iter().filter_map(|edition| edition.scene.as_ref()).all(|scene| {
             let drawn = scene.values.iter().all(compiled);

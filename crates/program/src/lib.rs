@@ -59,7 +59,9 @@ pub use plots::{Aggregate, AggregateKind, Curve, Drawing, Every, Members, Outcom
 pub use presets::{Assignment, Preset};
 pub use program::{Edition, Program};
 pub use prose::{Block, Section};
-pub use questions::{Question, QuestionText, Tolerance};
+pub use questions::{
+    ChoiceAnswer, NumberAnswer, OptionText, Question, QuestionKind, QuestionText, Tolerance, WrongValue,
+};
 pub use scene::{Attribute, Child, Drag, Dragged, Element, Piece, Scene, Template, Trail, write_attribute};
 pub use speed::Speed;
 pub use survey::{SurveyItem, SurveyKind, SurveyText};

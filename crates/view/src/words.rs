@@ -253,6 +253,8 @@ table_of_words! {
     question: "Question";
     answer: "Your answer";
     check: "Check";
+    choose_one: "Choose one answer.";
+    choose_several: "Choose all that are right.";
     hint: "Hint";
     reveal: "Show the answer";
     right_answer: "Answer";

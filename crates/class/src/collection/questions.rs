@@ -4,6 +4,7 @@ use super::Collection;
 use crate::grading::GivenAnswer;
 use crate::share::Share;
 use desk::play::Grade;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use units::order::sort_by_key;
 
@@ -88,15 +89,15 @@ struct Found<'a> {
 }
 
 fn errors(answers: &[&GivenAnswer]) -> Vec<ErrorKind> {
-    let mut kinds: BTreeMap<&str, Found<'_>> = BTreeMap::new();
+    let mut kinds: BTreeMap<Cow<'static, str>, Found<'_>> = BTreeMap::new();
     for answer in answers {
-        let mut seen: Vec<(&str, &str)> = Vec::new();
+        let mut seen: Vec<(Cow<'static, str>, &str)> = Vec::new();
         for attempt in answer.attempts.iter().filter(|attempt| attempt.grade() != Grade::Correct) {
             let code = attempt.grade().code();
             let new = || Found { grade: attempt.grade(), groups: 0, examples: BTreeMap::new() };
-            let kind = kinds.entry(code).or_insert_with(new);
+            let kind = kinds.entry(code.clone()).or_insert_with(new);
             kind.groups += usize::from(!seen.iter().any(|(own, _)| *own == code));
-            if !seen.contains(&(code, attempt.typed.as_str())) {
+            if !seen.contains(&(code.clone(), attempt.typed.as_str())) {
                 *kind.examples.entry((attempt.typed.as_str(), attempt.right.as_str())).or_default() += 1;
                 seen.push((code, attempt.typed.as_str()));
             }

@@ -69,8 +69,9 @@ const platform = {
   keep(text) {
     stored.text = text;
   },
-  answered(id, isNumber, response, result) {
-    const definition = { type: "http://adlnet.gov/expapi/activities/cmi.interaction", interactionType: isNumber ? "numeric" : "fill-in" };
+  answered(id, type, response, result) {
+    const definition = { type: "http://adlnet.gov/expapi/activities/cmi.interaction", interactionType: type };
+    if (type === "choice") response = response.replaceAll(",", "[,]");
     state("answered", { response, success: result === "correct" }, [], { id: `${activityId}#${id}`, definition });
   },
   result(score, done) {

@@ -1,6 +1,6 @@
 // Keeps the state of the page with the platform. The page gives a function that answers requests:
 //   state, level    the state as a text; each level leaves out more, undefined beyond the last
-//   score           share of the questions answered correctly, NaN without questions
+//   score           mean credit of the questions, from 0 to 1, NaN without questions
 //   done            true if every question has been answered or its answer shown
 //   restore         takes a stored state and the learner's id
 //   left            parts were left out, at this level

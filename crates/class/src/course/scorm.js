@@ -62,13 +62,15 @@ const platform = {
     return { learner: get(core + (old ? "student_id" : "learner_id")), state: get("cmi.suspend_data"), writes };
   },
   keep: (state) => put("cmi.suspend_data", state),
-  answered(id, isNumber, response, result) {
+  answered(id, type, response, result) {
     const entry = `cmi.interactions.${count}.`;
     if (!put(entry + "id", id)) return;
     count += 1;
-    put(entry + "type", isNumber ? "numeric" : "fill-in");
+    put(entry + "type", type);
     put(entry + (old ? "time" : "timestamp"), new Date().toISOString().slice(...(old ? [11, 19] : [0, 19])));
-    put(entry + (old ? "student_response" : "learner_response"), short(response));
+    // Chosen options are separated by a comma in SCORM 1.2, by `[,]` in SCORM 2004.
+    const said = type === "choice" && !old ? response.replaceAll(",", "[,]") : short(response);
+    put(entry + (old ? "student_response" : "learner_response"), said);
     put(entry + "result", result === "wrong" && !old ? "incorrect" : result);
   },
   result(score, done) {

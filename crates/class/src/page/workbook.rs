@@ -80,8 +80,8 @@ fn answers(collection: &Collection, language: Language) -> Sheet {
                     (answer.question as f64 + 1.0).into(),
                     f64::from(number).into(),
                     attempt.typed.as_str().into(),
-                    attempt.grade().code().into(),
-                    attempt.stated.code().into(),
+                    attempt.grade().code().as_ref().into(),
+                    attempt.stated.code().as_ref().into(),
                     attempt.right.as_str().into(),
                 ]);
             }

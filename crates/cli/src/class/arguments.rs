@@ -82,6 +82,7 @@ Examples:
   meniscus class report hand-ins/ --output class.html           a page: curves, results, answers, who is stuck, verification
   meniscus class report hand-ins/ --output class.xlsx           a workbook of results, attempts and hand-ins
   meniscus class report hand-ins/ --output class.csv            the results
+  meniscus class report hand-ins/ --format gradebook --output marks.csv    marks by seat and question, for Moodle
   meniscus class report hand-ins/ --against 1/L --power omega_0^2    with the straight line of omega_0^2 over 1/L
 
 The fits are computed again from the curves of the hand-ins. The pooled value is that of random effects (Paule-Mandel, Hartung-Knapp),
@@ -128,6 +129,8 @@ pub enum ReportFormat {
     Csv,
     /// The results and their pooled values as a list of objects
     Json,
+    /// Marks by seat and question as CSV, for the import of grades in Moodle
+    Gradebook,
 }
 
 impl ReportFormat {
@@ -146,7 +149,7 @@ impl ReportFormat {
 
     /// True if it has more than the fitted quantities.
     pub fn has_answers(self) -> bool {
-        matches!(self, Self::Html | Self::Xlsx)
+        matches!(self, Self::Html | Self::Xlsx | Self::Gradebook)
     }
 }
 

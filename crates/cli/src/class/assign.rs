@@ -64,6 +64,7 @@ fn columns(program: &mut Program, seats: u32, language: Language) -> Vec<ListCol
                 .questions
                 .iter()
                 .zip(1..)
+                .filter_map(|(one, number)| Some((one.number()?, number)))
                 .map(|(one, number)| column(format!("{answer} {number}"), &one.unit, true)),
         )
         .collect();
@@ -71,7 +72,8 @@ fn columns(program: &mut Program, seats: u32, language: Language) -> Vec<ListCol
         for (&index, &value) in indices.iter().zip(&values) {
             program.model.parameters[index].value = value;
         }
-        let answers: Vec<f64> = program.questions.iter().map(|question| checks::answer(program, question)).collect();
+        let numbers = program.questions.iter().filter(|question| question.number().is_some());
+        let answers: Vec<f64> = numbers.map(|question| checks::answer(program, question)).collect();
         for (column, value) in columns.iter_mut().zip(values.into_iter().chain(answers)) {
             column.values.push(column.unit.from_si(value));
         }
@@ -139,7 +141,9 @@ fn as_json(program: &Program, columns: &[ListColumn], equal: &[Vec<usize>], seat
         "title": program.title,
         "assignment": program.assignment,
         "parameters": parameters.map(parameter).collect::<Vec<_>>(),
-        "answers": program.questions.iter().map(|one| json!({ "unit": one.unit.text })).collect::<Vec<_>>(),
+        "answers": program.questions.iter().zip(1..).filter_map(|(one, number)| {
+            Some(json!({ "question": number, "unit": one.number()?.unit.text }))
+        }).collect::<Vec<_>>(),
         "seats": (1..=seats).map(|seat| json!({
             "seat": seat,
             "values": values(seat as usize - 1, false),

@@ -2,6 +2,7 @@
 
 pub mod arguments;
 mod assign;
+mod gradebook;
 mod report;
 mod server;
 mod server_arguments;

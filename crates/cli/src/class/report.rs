@@ -1,6 +1,7 @@
 //! `meniscus class report`: the results of a class, pooled.
 
 use super::arguments::{Report, ReportFormat};
+use super::gradebook::gradebook;
 use crate::failure::Failure;
 use crate::handing::read::computed;
 use crate::terminal::Terminal;
@@ -40,6 +41,7 @@ pub fn report(arguments: &Report, terminal: Terminal) -> Result<(), Failure> {
             visible(&text).into_owned().into_bytes()
         }
         ReportFormat::Csv => as_csv(&quantities, &class).into_bytes(),
+        ReportFormat::Gradebook => gradebook(&class, language).into_bytes(),
         ReportFormat::Json => as_json(&quantities, &class, language).into_bytes(),
         ReportFormat::Html => page::html(&class, &against, language, "").into_bytes(),
         ReportFormat::Xlsx => page::workbook(&class, language),
@@ -111,7 +113,9 @@ fn as_text(quantities: &[Quantity], class: &Collection, language: Language) -> S
 }
 
 fn as_csv(quantities: &[Quantity], class: &Collection) -> String {
-    let mut text = String::from("theory,quantity,unit,group,value,standard error,far from the others\n");
+    let mut text = String::from(
+        "theory,quantity,unit,group,value,standard error,far from the others,n,interval from,interval to,tau,tau from,tau to\n",
+    );
     for quantity in quantities {
         let scale = page::scale(quantity);
         for (place, (index, measured)) in quantity.results.iter().enumerate() {
@@ -125,7 +129,27 @@ fn as_csv(quantities: &[Quantity], class: &Collection) -> String {
                 let _ = Dialect::Commas.number(&mut text, number);
                 text.push(',');
             }
-            text += if marked { "1\n" } else { "0\n" };
+            text += if marked { "1,,,,,,\n" } else { "0,,,,,,\n" };
+        }
+        let Ok(pool) = &quantity.pool else { continue };
+        let without = pool.without.as_ref().map(|without| ("pooled without those far", without));
+        for (name, pooled) in std::iter::once(("pooled", &pool.all)).chain(without) {
+            for word in [&quantity.theory, &quantity.name, &quantity.unit, name] {
+                let _ = Dialect::Commas.text(&mut text, word);
+                text.push(',');
+            }
+            let Pooled { value, error, interval, tau, tau_interval, .. } = pooled;
+            let numbers = [*value, *error].map(|number| number / scale);
+            let further = [interval.0, interval.1, *tau, tau_interval.0, tau_interval.1].map(|number| number / scale);
+            let cells = numbers.iter().copied().map(Some).chain([None, Some(pooled.count as f64)]);
+            for cell in cells.chain(further.into_iter().map(Some)) {
+                if let Some(number) = cell {
+                    let _ = Dialect::Commas.number(&mut text, number);
+                }
+                text.push(',');
+            }
+            text.pop();
+            text.push('\n');
         }
     }
     text

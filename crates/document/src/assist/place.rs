@@ -50,7 +50,7 @@ pub fn place<'a>(outline: &Outline<'a>, offset: usize) -> (Place<'a>, Span) {
         BlockKind::Prose | BlockKind::Translations => in_braces(source, line),
         BlockKind::Scene => in_scene(source, block.content.start..offset, line),
         BlockKind::Question => {
-            let field = ["answer:", "set:", "hide:"].into_iter().find(|field| text.starts_with(field));
+            let field = ["answer:", "set:", "hide:", "wrong:"].into_iter().find(|field| text.starts_with(field));
             match field {
                 Some(field) => in_expression(source, line.start + field.len()..offset, false),
                 None => in_braces(source, line),

@@ -20,6 +20,12 @@ pub struct Asked {
     pub hide: String,
     /// Expression of the answer, with its tolerance.
     pub answer: String,
+    /// Expected wrong answers with their remarks, one a line.
+    pub wrong: String,
+    /// Number of options that can be chosen, `one` or `several`.
+    pub choose: String,
+    /// Options of a choice, one a line.
+    pub options: String,
     /// Number of attempts that it allows.
     pub attempts: String,
     /// The hint.
@@ -41,6 +47,12 @@ pub enum QuestionPart {
     Hide,
     /// Answer with its tolerance.
     Answer,
+    /// Expected wrong answers.
+    Wrong,
+    /// Number of options that can be chosen.
+    Choose,
+    /// Options of a choice.
+    Options,
     /// Number of attempts.
     Attempts,
     /// The hint.
@@ -51,8 +63,19 @@ pub enum QuestionPart {
 
 impl QuestionPart {
     /// All parts, in the usual order.
-    pub const ALL: [Self; 8] =
-        [Self::Prompt, Self::After, Self::Set, Self::Hide, Self::Answer, Self::Attempts, Self::Hint, Self::Explanation];
+    pub const ALL: [Self; 11] = [
+        Self::Prompt,
+        Self::After,
+        Self::Set,
+        Self::Hide,
+        Self::Answer,
+        Self::Wrong,
+        Self::Choose,
+        Self::Options,
+        Self::Attempts,
+        Self::Hint,
+        Self::Explanation,
+    ];
 
     /// Keyword of the part; `None` for the prompt, which comes first.
     pub fn word(self) -> Option<&'static str> {
@@ -62,6 +85,9 @@ impl QuestionPart {
             Self::Set => Some("set"),
             Self::Hide => Some("hide"),
             Self::Answer => Some("answer"),
+            Self::Wrong => Some("wrong"),
+            Self::Choose => Some("choose"),
+            Self::Options => Some("option"),
             Self::Attempts => Some("attempts"),
             Self::Hint => Some("hint"),
             Self::Explanation => Some("explanation"),
@@ -78,6 +104,9 @@ impl Asked {
             QuestionPart::Set => &self.set,
             QuestionPart::Hide => &self.hide,
             QuestionPart::Answer => &self.answer,
+            QuestionPart::Wrong => &self.wrong,
+            QuestionPart::Choose => &self.choose,
+            QuestionPart::Options => &self.options,
             QuestionPart::Attempts => &self.attempts,
             QuestionPart::Hint => &self.hint,
             QuestionPart::Explanation => &self.explanation,
@@ -93,6 +122,12 @@ pub fn asked(outline: &Outline) -> Vec<Asked> {
             let place = questions::part(source, block.content.range(), word);
             place.map(|place| source[place].to_owned()).unwrap_or_default()
         };
+        let raw = questions::split(source, block.content.range(), &mut Vec::new());
+        let entries = |word| {
+            let lines = raw.entries(source, word).into_iter();
+            let lines = lines.map(|place| source[place].lines().map(str::trim).collect::<Vec<_>>().join(" "));
+            lines.collect::<Vec<_>>().join(if source.contains("\r\n") { "\r\n" } else { "\n" })
+        };
         Asked {
             place: block.content,
             prompt: text(None),
@@ -100,6 +135,9 @@ pub fn asked(outline: &Outline) -> Vec<Asked> {
             set: text(Some("set")),
             hide: text(Some("hide")),
             answer: text(Some("answer")),
+            wrong: entries("wrong"),
+            choose: text(Some("choose")),
+            options: entries("option"),
             attempts: text(Some("attempts")),
             hint: text(Some("hint")),
             explanation: text(Some("explanation")),

@@ -69,13 +69,25 @@ pub fn add_question(outline: &Outline, question: &NewQuestion) -> Result<Edit, E
 /// [`EditError::UnknownCell`] if there is no such question, [`EditError::NotOneCell`] if the text would not be parsed as
 /// this part alone.
 pub fn set_question(outline: &Outline, number: usize, part: QuestionPart, text: &str) -> Result<Vec<Edit>, EditError> {
-    let text = with_line_ends_of(outline.source(), text.trim());
+    let text = match part {
+        QuestionPart::Wrong | QuestionPart::Options => {
+            text.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")
+        }
+        _ => text.trim().to_owned(),
+    };
+    let text = with_line_ends_of(outline.source(), &text);
     let before = asked(outline);
     let own = before.get(number).ok_or(EditError::UnknownCell)?;
     if own.text(part) == text {
         return Ok(Vec::new());
     }
-    let edit = write_part(outline.source(), own.place, part.word(), &text);
+    let written = match part {
+        QuestionPart::Wrong | QuestionPart::Options => {
+            text.replace('\n', &format!("\n{}: ", part.word().unwrap_or_default()))
+        }
+        _ => text.clone(),
+    };
+    let edit = write_part(outline.source(), own.place, part.word(), &written);
     let after = asked(&read(&result(outline, std::slice::from_ref(&edit))?));
     let is_other = |question: usize, one: QuestionPart| question != number || one != part;
     let others = |all: &[Asked]| -> Vec<String> {

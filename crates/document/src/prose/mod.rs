@@ -83,6 +83,13 @@ impl<'a> Prose<'a> {
             .collect()
     }
 
+    /// HTML of a text that stands in a line, without the paragraph around it.
+    pub fn inline(&mut self, range: Range<usize>) -> String {
+        let html = self.fragment(range);
+        let inner = html.trim_end().strip_prefix("<p>").and_then(|rest| rest.strip_suffix("</p>"));
+        inner.filter(|inner| !inner.contains("<p>")).map_or_else(|| html.clone(), str::to_owned)
+    }
+
     /// Returns the sections and the diagnostics.
     pub fn finish(self) -> (Vec<Section>, Vec<Diagnostic>) {
         (self.sections, self.diagnostics)

@@ -45,7 +45,7 @@ impl File<'_> {
         let mut surplus = Vec::new();
         let mut warnings = Vec::new();
         let (mut prose, mut questions, _) = self.prose(&mut found, |raw| {
-            questions::check_translation(raw, &mut warnings);
+            questions::check_translation(self.outline.source(), raw, &mut warnings);
             written += 1;
             if written > numbers.len() {
                 surplus.push(Span::new(raw.place.start, raw.place.end));

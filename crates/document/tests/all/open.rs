@@ -81,7 +81,7 @@ fn a_faulty_part_is_left_out_and_the_rest_stays() {
     assert_eq!(document.program.plots.len(), 1);
     assert_eq!(document.program.presets[0].values.len(), 1);
     assert_eq!(document.program.questions.len(), 1);
-    assert_eq!(document.program.questions[0].tolerance, Tolerance::Absolute(0.01));
+    assert_eq!(document.program.questions[0].number().unwrap().tolerance, Tolerance::Absolute(0.01));
     assert_eq!(document.program.question_text("en", 0).prompt, "<p>R</p>\n");
 }
 

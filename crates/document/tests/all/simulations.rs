@@ -89,8 +89,10 @@ fn every_document_is_without_fault() {
         for question in &document.program.questions {
             let parameters = assigned(&document, &question.setup);
             assert!(in_range(&document, &parameters), "{name}: {question:?}");
-            let answer = evaluate(&document, &[question.answer.node], &parameters)[0];
-            assert!(answer.is_finite() && answer != 0.0, "{name}: {question:?}");
+            for value in question.values() {
+                let value = evaluate(&document, &[value.node], &parameters)[0];
+                assert!(value.is_finite() && value != 0.0, "{name}: {question:?}");
+            }
         }
     }
 }
@@ -101,7 +103,8 @@ fn the_answers_of_the_u_tube() {
     let answers: Vec<f64> = (document.program.questions.iter())
         .map(|question| {
             let parameters = assigned(&document, &question.setup);
-            question.unit.from_si(evaluate(&document, &[question.answer.node], &parameters)[0])
+            let asked = question.number().expect("a number");
+            asked.unit.from_si(evaluate(&document, &[asked.right.node], &parameters)[0])
         })
         .collect();
     // L = 7 m, m = 350 kg, omega_0 = sqrt(2.8) = 1.67332 /s, gamma = 1/14 /s, computed by hand.

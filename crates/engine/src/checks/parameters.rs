@@ -21,9 +21,11 @@ pub fn assign(model: &Model, parameters: &mut [f64], assignments: &[Assignment])
     }
 }
 
-/// Right answer of a question with the parameters of the document and those that it assumes, SI units.
+/// Right answer of a question with the parameters of the document and those that it assumes, SI units; NaN for a question without a
+/// number.
 pub fn answer(program: &Program, question: &Question) -> f64 {
-    at_start(&program.model, &supposed(program, &question.setup), question.answer.node)
+    let supposed = supposed(program, &question.setup);
+    question.number().map_or(f64::NAN, |asked| at_start(&program.model, &supposed, asked.right.node))
 }
 
 /// Value of a node that is constant during a run with these parameters, SI units.

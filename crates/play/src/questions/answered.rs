@@ -5,7 +5,7 @@ use crate::questions::given::{Answer, Attempt, Conditions, GradedAttempt};
 use crate::questions::grade::{Grade, Verdict};
 use crate::questions::grading::{Grading, verdict_of};
 use crate::{Basis, Changes, Course, OpenRun, Refusal, name_of, number, words};
-use program::Program;
+use program::{ChoiceAnswer, Program, QuestionKind};
 
 /// Significant digits of the right answer.
 const RIGHT_DIGITS: usize = 4;
@@ -23,6 +23,8 @@ pub struct AnswerView {
     pub shown: Option<usize>,
     /// True if a right answer was given, and before the right answer was shown.
     pub found: bool,
+    /// Share of the credit, from 0 to 1: the best of the attempts that count.
+    pub credit: f64,
     /// Answers that have been checked, in order.
     pub attempts: Vec<GradedAttempt>,
     /// Limit of the attempts; `None` if the question has none.
@@ -86,7 +88,8 @@ impl Answers {
             verdict: self.present_verdict(basis, question, answer),
             stated: answer.grade,
             shown: answer.shown,
-            found: self.is_found(basis, question, answer),
+            found: self.credit(basis, question, answer) >= 1.0,
+            credit: self.credit(basis, question, answer),
             attempts: answer.attempts.iter().map(|attempt| self.graded(basis, question, attempt)).collect(),
             limit: self.limit(basis, question, answer),
         }
@@ -126,15 +129,15 @@ impl Answers {
         Some(computed.unwrap_or_else(|| verdict_of(stated, basis.language())))
     }
 
-    /// True if a right answer was given before it was shown, and within the limit of the attempts.
-    fn is_found(&self, basis: &Basis, question: usize, answer: &Answer) -> bool {
+    /// Best credit of the attempts before the right answer was shown, and within the limit of the attempts.
+    fn credit(&self, basis: &Basis, question: usize, answer: &Answer) -> f64 {
         let allowed = basis.program().questions.get(question).and_then(|asked| asked.attempts);
         let before = answer.attempts.iter().take(answer.shown.unwrap_or(usize::MAX));
         let grades = before.map(|attempt| self.grade(basis, question, attempt)).filter(|grade| grade.is_attempt());
         // An answer may have been stored without its attempts.
-        let is_stated = answer.attempts.is_empty() && answer.grade == Some(Grade::Correct) && answer.shown.is_none();
-        is_stated
-            || grades.take(allowed.map_or(usize::MAX, |allowed| allowed as usize)).any(|grade| grade == Grade::Correct)
+        let stated = answer.grade.filter(|_| answer.attempts.is_empty() && answer.shown.is_none());
+        let counted = grades.take(allowed.map_or(usize::MAX, |allowed| allowed as usize)).chain(stated);
+        counted.map(Grade::credit).fold(0.0, f64::max)
     }
 
     /// Stores the text in the field of a question as an unchecked answer.
@@ -152,7 +155,7 @@ impl Answers {
         if given.and_then(|answer| self.limit(run.basis, question, answer)).is_some_and(|limit| limit.left() == 0) {
             let grade = given.and_then(|answer| answer.grade).unwrap_or(Grade::Unanswerable);
             let text = words::no_attempts_left(run.basis.language()).to_owned();
-            return (Verdict { grade, text }, Changes::NONE);
+            return (Verdict { grade, text, remarks: Vec::new() }, Changes::NONE);
         }
         let conditions = self.grading.conditions(run.basis, run.course(), question);
         let verdict = self.grading.judge(run.basis, question, text, &conditions);
@@ -180,11 +183,11 @@ impl Answers {
         (self.right_text(run.basis, run.course(), question), changes)
     }
 
-    /// Share of the questions that have been answered correctly before the right answer was shown; `None` without questions.
+    /// Mean credit of the questions, from 0 to 1, of what was answered before the right answer was shown; `None` without questions.
     pub fn score(&self, basis: &Basis) -> Option<f64> {
         let given = self.given.iter().enumerate();
-        let right = given.filter(|(question, answer)| self.is_found(basis, *question, answer)).count();
-        (!self.given.is_empty()).then(|| right as f64 / self.given.len() as f64)
+        let credit: f64 = given.map(|(question, answer)| self.credit(basis, question, answer)).sum();
+        (!self.given.is_empty()).then(|| credit / self.given.len() as f64)
     }
 
     /// True if every question has been answered, rightly or not, or its right answer has been shown.
@@ -195,21 +198,30 @@ impl Answers {
     /// Number in an answer in the unit that the question asks for, to 12 digits; `None` if the text is no number or states an
     /// error as well.
     pub fn number(&self, basis: &Basis, question: usize, text: &str) -> Option<f64> {
-        let unit = &basis.program().questions.get(question)?.unit;
+        let unit = &basis.program().questions.get(question)?.number()?.unit;
         let answer = basis.read_answer(text, unit, basis.style()).ok().filter(|answer| answer.error.is_none())?;
         format!("{:.11e}", unit.from_si(answer.value)).parse().ok()
     }
 
-    /// Right answer with its unit, for the values of the seat, those assumed by the question, and otherwise the present ones; a
+    /// Right answer with its unit, or the letters of the right options, for the values of the seat, those assumed by the question, and otherwise the present ones; a
     /// dash if there is none.
     pub fn right_text(&self, basis: &Basis, at: &Course, question: usize) -> String {
         self.right_under(basis, question, &self.grading.conditions(basis, at, question))
     }
 
     fn right_under(&self, basis: &Basis, question: usize, conditions: &Conditions) -> String {
-        let Some(asked) = basis.program().questions.get(question) else { return String::new() };
-        let right = asked.unit.from_si(self.grading.right(basis, question, conditions));
-        number::with_unit(&number::plain(right, RIGHT_DIGITS, basis.style()), &asked.unit)
+        match basis.program().questions.get(question).map(|asked| &asked.kind) {
+            Some(QuestionKind::Number(asked)) => {
+                let right = self.grading.values(basis, question, conditions).first().copied().unwrap_or(f64::NAN);
+                let right = number::plain(asked.unit.from_si(right), RIGHT_DIGITS, basis.style());
+                number::with_unit(&right, &asked.unit)
+            }
+            Some(QuestionKind::Choice(asked)) => {
+                let right = asked.right.iter().enumerate().filter(|(_, right)| **right);
+                ChoiceAnswer::letters(right.map(|(option, _)| option))
+            }
+            None => String::new(),
+        }
     }
 
     /// Names and values of the parameters that a question asks for, such as `b` and `0 kg/s`: those of the seat, and those that it
@@ -344,9 +356,10 @@ impl Answers {
 }
 
 impl Basis {
-    /// Unit in which an answer is expected, as displayed.
+    /// Unit in which an answer is expected, as displayed; empty for a question without a number.
     pub fn question_unit(&self, question: usize) -> String {
-        self.program().questions.get(question).map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
+        let number = self.program().questions.get(question).and_then(program::Question::number);
+        number.map_or_else(String::new, |asked| number::unit_text(&asked.unit.text))
     }
 
     /// True if questions of the document hide values.

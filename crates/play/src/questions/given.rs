@@ -156,12 +156,12 @@ impl Answer {
     /// grade, `shown` with the number of attempts before or nothing, then a line for each attempt: its grade, conditions such as
     /// `;es;k:20,m:0.5` if they are known, and its text after a blank.
     pub fn lines(&self) -> String {
-        let grade = self.grade.map_or("", Grade::code);
+        let grade = self.grade.map_or_else(Default::default, Grade::code);
         let shown = self.shown.map_or_else(String::new, |before| format!("shown {before}"));
         let mut lines = format!("{}\n{grade}\n{shown}", self.typed);
         for Attempt { typed, grade, conditions } in &self.attempts {
             let conditions = conditions.as_ref().map_or_else(String::new, |own| format!(";{}", own.text()));
-            lines.extend(["\n", grade.code(), &conditions, " ", typed]);
+            lines.extend(["\n", &grade.code(), &conditions, " ", typed]);
         }
         lines
     }

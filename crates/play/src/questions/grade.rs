@@ -2,6 +2,10 @@
 
 use program::Tolerance;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+
+/// Beginning of the code of partial credit.
+const PARTLY: &str = "partly:";
 
 /// The grade of an answer, with its text.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +14,8 @@ pub struct Verdict {
     pub grade: Grade,
     /// Text in the chosen language.
     pub text: String,
+    /// Remarks of the author on the answer, as HTML of the document.
+    pub remarks: Vec<String>,
 }
 
 /// Grade of an answer.
@@ -17,6 +23,8 @@ pub struct Verdict {
 pub enum Grade {
     /// Within the tolerance.
     Correct,
+    /// A part of what is right, in percent of the credit, from 1 to 99.
+    Partly(u8),
     /// Within five times the tolerance.
     Close,
     /// The magnitude is right, the sign is wrong.
@@ -32,6 +40,7 @@ pub enum Grade {
 }
 
 impl Grade {
+    /// Grades without partial credit, with their codes.
     const CODES: [(Self, &str); 7] = [
         (Self::Correct, "correct"),
         (Self::Close, "close"),
@@ -42,9 +51,30 @@ impl Grade {
         (Self::Unanswerable, "unanswerable"),
     ];
 
-    /// Code for storage.
-    pub fn code(self) -> &'static str {
-        Self::CODES.iter().find(|(grade, _)| *grade == self).map_or("", |(_, code)| code)
+    /// Code for storage: a word, and for partial credit its percent, `partly:67`.
+    pub fn code(self) -> Cow<'static, str> {
+        match self {
+            Self::Partly(percent) => format!("{PARTLY}{percent}").into(),
+            _ => Self::CODES.iter().find(|(grade, _)| *grade == self).map_or("", |(_, code)| code).into(),
+        }
+    }
+
+    /// The grade for this credit, from 0 to 1.
+    pub(super) fn of_credit(credit: f64) -> Self {
+        match credit {
+            1.0.. => Self::Correct,
+            0.0 => Self::Wrong,
+            _ => Self::Partly((credit * 100.0).round().clamp(1.0, 99.0) as u8),
+        }
+    }
+
+    /// Share of the credit, from 0 to 1.
+    pub fn credit(self) -> f64 {
+        match self {
+            Self::Correct => 1.0,
+            Self::Partly(percent) => f64::from(percent) / 100.0,
+            _ => 0.0,
+        }
     }
 
     /// True for an answer that counts as an attempt: it could be read, and there is a right answer.
@@ -54,6 +84,9 @@ impl Grade {
 
     /// Parses the output of [`Grade::code`].
     pub fn from_code(code: &str) -> Option<Self> {
+        if let Some(percent) = code.strip_prefix(PARTLY) {
+            return percent.parse().ok().filter(|percent| (1..=99).contains(percent)).map(Self::Partly);
+        }
         Self::CODES.iter().find(|(_, own)| *own == code).map(|(grade, _)| *grade)
     }
 }

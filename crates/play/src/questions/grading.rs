@@ -5,7 +5,7 @@ use crate::questions::given::{Attempt, Conditions};
 use crate::questions::grade::{Grade, Verdict, grade};
 use crate::{Basis, Course, words};
 use engine::Readings;
-use program::{NodeId, Program, Question};
+use program::{ChoiceAnswer, NodeId, NumberAnswer, Program, Question, QuestionKind};
 use units::Language;
 use units::number::Style;
 
@@ -15,7 +15,8 @@ pub(super) struct Grading {
     initial: Readings,
     /// All assignments assumed by questions.
     setups: Readings,
-    right: Readings,
+    /// Values of the questions, one after the other: see [`Question::values`].
+    values: Readings,
     inputs: Vec<Inputs>,
 }
 
@@ -33,7 +34,7 @@ impl Inputs {
         let model = &program.model;
         let by_setup: Vec<usize> = question.setup.iter().map(|assignment| assignment.parameter).collect();
         let of_setup = parameters_behind(program, question.setup.iter().map(|assignment| assignment.value.node));
-        let of_answer = parameters_behind(program, [question.answer.node]);
+        let of_answer = parameters_behind(program, question.values().map(|value| value.node));
         let mut all: Vec<usize> = of_answer.into_iter().filter(|index| !by_setup.contains(index)).collect();
         all.extend(of_setup);
         all.sort_unstable();
@@ -64,7 +65,19 @@ fn parameters_behind(program: &Program, nodes: impl IntoIterator<Item = NodeId>)
 
 /// A grade with its text.
 pub(super) fn verdict_of(grade: Grade, language: Language) -> Verdict {
-    Verdict { grade, text: words::grade(language, grade).to_owned() }
+    Verdict { grade, text: words::grade(language, grade), remarks: Vec::new() }
+}
+
+/// Grade of chosen options, with their remarks.
+fn judge_choice(basis: &Basis, (question, asked): (usize, &ChoiceAnswer), typed: &str) -> Verdict {
+    let language = basis.language();
+    let Some(chosen) = asked.chosen(typed) else {
+        let text = words::nothing_chosen(language).to_owned();
+        return Verdict { grade: Grade::Unreadable, text, remarks: Vec::new() };
+    };
+    let options = basis.program().question_text(basis.tag(), question).options.iter().zip(&chosen);
+    let remarks = options.filter(|(_, chosen)| **chosen).filter_map(|(option, _)| option.remark.clone());
+    Verdict { remarks: remarks.collect(), ..verdict_of(Grade::of_credit(asked.credit(&chosen)), language) }
 }
 
 impl Grading {
@@ -74,7 +87,7 @@ impl Grading {
         Self {
             initial: reading(program.model.states.iter().map(|state| state.initial).collect()),
             setups: reading(setups.map(|assignment| assignment.value.node).collect()),
-            right: reading(program.questions.iter().map(|question| question.answer.node).collect()),
+            values: reading(program.questions.iter().flat_map(Question::values).map(|value| value.node).collect()),
             inputs: program.questions.iter().map(|question| Inputs::new(program, question)).collect(),
         }
     }
@@ -92,20 +105,41 @@ impl Grading {
 
     /// Grade of an answer given under these conditions. Assigned and hidden parameters have the values of the document and of its seat.
     pub fn judge(&self, basis: &Basis, question: usize, typed: &str, conditions: &Conditions) -> Verdict {
+        match basis.program().questions.get(question).map(|asked| &asked.kind) {
+            Some(QuestionKind::Number(asked)) => self.judge_number(basis, (question, asked), typed, conditions),
+            Some(QuestionKind::Choice(asked)) => judge_choice(basis, (question, asked), typed),
+            None => verdict_of(Grade::Unanswerable, basis.language()),
+        }
+    }
+
+    fn judge_number(
+        &self,
+        basis: &Basis,
+        (question, asked): (usize, &NumberAnswer),
+        typed: &str,
+        conditions: &Conditions,
+    ) -> Verdict {
         let language = basis.language();
-        let Some(asked) = basis.program().questions.get(question) else {
-            return verdict_of(Grade::Unanswerable, language);
-        };
         let answer = match basis.read_answer(typed, &asked.unit, Style::of(&conditions.language)) {
-            Err(refusal) => return Verdict { grade: Grade::Unreadable, text: basis.refusal_text(&refusal) },
+            Err(refusal) => {
+                let text = basis.refusal_text(&refusal);
+                return Verdict { grade: Grade::Unreadable, text, remarks: Vec::new() };
+            }
             Ok(answer) => answer,
         };
-        let right = self.right(basis, question, conditions);
+        let values = self.values(basis, question, conditions);
+        let right = values.first().copied().unwrap_or(f64::NAN);
         let mut verdict = verdict_of(grade(answer.value, right, asked.tolerance), language);
         if let Some(error) = answer.error.filter(|_| verdict.grade != Grade::Unanswerable) {
             let within = (answer.value - right).abs() <= error;
             let stated = words::stated_error(language, verdict.grade == Grade::Correct, within);
             verdict.text = [&verdict.text, " ", stated].concat();
+        }
+        if verdict.grade != Grade::Correct {
+            let remarks = &basis.program().question_text(basis.tag(), question).wrong;
+            let mut expected = asked.wrong.iter().zip(values.iter().skip(1)).zip(remarks);
+            let met = expected.find(|((wrong, value), _)| wrong.tolerance.accepts(answer.value, **value));
+            verdict.remarks.extend(met.map(|(_, remark)| remark.clone()));
         }
         verdict
     }
@@ -123,15 +157,17 @@ impl Grading {
         }
         let any = || {
             let is_free = self.inputs.get(question).is_some_and(|inputs| inputs.set.is_empty());
-            let has_one_reading = !attempt.typed.contains([',', ';']);
+            let is_number = basis.program().questions.get(question).is_some_and(|asked| asked.number().is_some());
+            let has_one_reading = !is_number || !attempt.typed.contains([',', ';']);
             let language = basis.program().language.clone();
             (is_free && has_one_reading).then(|| Conditions { language, values: Vec::new() })
         };
         attempt.conditions.clone().or_else(any)
     }
 
-    /// Right answer (SI) under these conditions; NaN if there is none.
-    pub fn right(&self, basis: &Basis, question: usize, conditions: &Conditions) -> f64 {
+    /// Right answer (SI) under these conditions, and the expected wrong ones; NaN for one that does not exist. Empty for a question
+    /// without numbers.
+    pub fn values(&self, basis: &Basis, question: usize, conditions: &Conditions) -> Vec<f64> {
         let mut parameters = basis.defaults().parameters.clone();
         for index in self.inputs.get(question).map_or(&[][..], |inputs| &inputs.set) {
             let Some(name) = basis.model().parameters.get(*index).map(|parameter| &parameter.name) else { continue };
@@ -142,7 +178,13 @@ impl Grading {
         }
         let parameters = self.with_setup(basis, question, &parameters);
         let initial = self.initial(basis, &parameters);
-        self.right.clone().at(&parameters, &initial, 0.0, &initial).get(question).copied().unwrap_or(f64::NAN)
+        let count = |asked: &Question| asked.values().count();
+        let questions = &basis.program().questions;
+        let first: usize = questions.iter().take(question).map(count).sum();
+        let own = questions.get(question).map_or(0, count);
+        let mut readings = self.values.clone();
+        let values = readings.at(&parameters, &initial, 0.0, &initial);
+        values.get(first..first + own).map_or_else(Vec::new, <[f64]>::to_vec)
     }
 
     /// Present parameters (SI), replaced by the assigned values that a question uses and by those that it assumes.

@@ -11,7 +11,7 @@ impl Answer {
         let Self { typed, grade, shown, attempts } = self;
         let attempt = |Attempt { typed, grade, conditions }: &Attempt| answer::Attempt {
             typed: typed.clone(),
-            grade: grade.code().to_owned(),
+            grade: grade.code().into_owned(),
             language: conditions.as_ref().map(|own| own.language.clone()),
             values: conditions
                 .iter()
@@ -21,7 +21,7 @@ impl Answer {
         };
         answer::Answer {
             typed: typed.clone(),
-            grade: grade.map(|grade| grade.code().to_owned()),
+            grade: grade.map(|grade| grade.code().into_owned()),
             shown: *shown,
             revealed: shown.is_some(),
             found: false,

@@ -14,6 +14,7 @@ mod dragging;
 mod drawings;
 mod ending;
 mod history;
+mod kinds;
 mod legends;
 mod members;
 mod plots;

@@ -1,5 +1,6 @@
 //! The panel beside the stage, with tabs to explore, for questions, for theory, and for further content of the page.
 
+mod choice;
 mod claims;
 mod data;
 mod exploring;

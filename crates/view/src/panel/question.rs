@@ -1,9 +1,11 @@
 //! A question with its answer field, grade, hint and right answer.
 
+use super::choice;
 use crate::app::App;
 use crate::views::*;
 use play::{Grade, Limit};
-use web_sys::{HtmlInputElement, SubmitEvent};
+use program::QuestionKind;
+use web_sys::SubmitEvent;
 
 /// The question with this index, once the questions that it waits for are answered.
 pub fn view(app: App, index: usize) -> View {
@@ -38,15 +40,16 @@ fn open(app: App, index: usize) -> View {
     let words = app.words();
     let language = app.language.get_untracked().tag();
     let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
-    let unit = app.read(|play| play.basis().question_unit(index));
+    let Some(kind) = app.read(|play| play.program().questions.get(index).map(|asked| asked.kind.clone())) else {
+        return View::new();
+    };
     let given = app.read(|play| play.answers().answer(play.basis(), index));
     let verdict = create_signal(given.verdict);
     let revealed = create_signal(
         given.shown.map(|_| app.read(|play| play.change_answers(|answers, run| answers.reveal(run, index)))),
     );
     let (field, number) = (format!("answer-{index}"), index + 1);
-    let mut input = short_field(field.clone());
-    let node: HtmlInputElement = input.node();
+    let typed = create_signal(given.typed);
     let limit = create_signal(given.limit);
     let is_used_up = move || limit.get().is_some_and(|limit| limit.left() == 0);
     let check = move |event: SubmitEvent| {
@@ -54,7 +57,7 @@ fn open(app: App, index: usize) -> View {
         if is_used_up() {
             return;
         }
-        let answer = node.value();
+        let answer = typed.get_clone_untracked();
         verdict.set(app.act(|play| Some(play.change_answers(|answers, run| answers.check(run, index, &answer)))));
         limit.set(app.read(|play| play.answers().answer(play.basis(), index)).limit);
     };
@@ -63,7 +66,7 @@ fn open(app: App, index: usize) -> View {
             None => "",
             Some(Grade::Correct) => "right",
             Some(Grade::Unreadable) => "unreadable",
-            Some(Grade::Close | Grade::WrongSign | Grade::WrongScale) => "near",
+            Some(Grade::Partly(_) | Grade::Close | Grade::WrongSign | Grade::WrongScale) => "near",
             Some(Grade::Wrong | Grade::Unanswerable) => "wrong",
         })
     };
@@ -82,23 +85,36 @@ fn open(app: App, index: usize) -> View {
             .inner_html(explanation)
     });
     let name = format!("{}, {} {number}", words.answer, words.question);
-    let input = input
-        .placeholder(words.answer)
-        .attr("aria-describedby", format!("prompt-{index} verdict-{index}"))
-        .attr("aria-invalid", move || (grade() == "unreadable").then_some("true"))
-        .attr("readonly", move || is_used_up().then_some("true"))
-        .prop("value", given.typed)
-        .when(events::input, move |event| {
-            verdict.set(None);
-            app.act(|play| play.change_answers(|answers, _| answers.type_text(index, &value_of(&event))));
-        });
+    let change = move |text: String| {
+        verdict.set(None);
+        app.act(|play| play.change_answers(|answers, _| answers.type_text(index, &text)));
+        typed.set(text);
+    };
+    let input: View = match kind {
+        QuestionKind::Number(_) => {
+            let input = short_field(field.clone())
+                .placeholder(words.answer)
+                .attr("aria-describedby", format!("prompt-{index} verdict-{index}"))
+                .attr("aria-invalid", move || (grade() == "unreadable").then_some("true"))
+                .attr("readonly", move || is_used_up().then_some("true"))
+                .prop("value", typed.get_clone_untracked())
+                .when(events::input, move |event| change(value_of(&event)));
+            let unit = app.read(|play| play.basis().question_unit(index));
+            let label = label().r#for(field).class("visually-hidden").child(name);
+            View::from((label, with_unit(input, unit)))
+        }
+        QuestionKind::Choice(asked) => choice::field(app, index, asked, *typed, is_used_up, change),
+    };
+    let remarks = move || {
+        let remarks = verdict.with(|verdict| verdict.as_ref().map(|verdict| verdict.remarks.clone()));
+        each(remarks.unwrap_or_default(), |remark| p().inner_html(remark))
+    };
     let reveal =
         move |_| revealed.set(Some(app.act(|play| play.change_answers(|answers, run| answers.reveal(run, index)))));
     let form = form()
         .class("answer")
         .when(events::submit, check)
-        .child(label().r#for(field).class("visually-hidden").child(name))
-        .child(with_unit(input, unit))
+        .child(input)
         .child(
             button()
                 .class("primary")
@@ -117,6 +133,7 @@ fn open(app: App, index: usize) -> View {
         .child(form)
         .maybe(given.limit.map(|_| attempts(app, index, limit)))
         .child(verdict.child(text(reported)))
+        .child(div().class("remarks").role("status").child(changing(remarks)))
         .child(p().class("revealed").role("status").child(changing(answer)))
         .maybe(explanation)
         .maybe(hint)

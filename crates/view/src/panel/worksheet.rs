@@ -108,6 +108,8 @@ fn question(app: App, index: usize) -> View {
     let language = app.language.get_untracked().tag();
     let asked = app.read(|play| Some(play.program().question_text(language, index).clone())).unwrap_or_default();
     let unit = app.read(|play| play.basis().question_unit(index));
+    let options = super::choice::printed(asked.options);
+    let lines = if options.is_some() { 0 } else { LINES };
     let supposed = app.read(|play| play.answers().setup(play.basis(), play.course(), index)).map(|(values, _)| {
         p().class("supposed").child(words.supposes).child(" ").child(crate::panel::question::supposed(values))
     });
@@ -116,7 +118,8 @@ fn question(app: App, index: usize) -> View {
         .child(h4().child(format!("{} {}", words.question, index + 1)))
         .child(div().inner_html(asked.prompt))
         .maybe(supposed)
-        .child(div().class("lines").each(0..LINES, |_| div()))
+        .maybe(options)
+        .child(div().class("lines").each(0..lines, |_| div()))
         .child(p().class("sheet-answer").child(span().class("blank").child(words.sheet_answer)).child(unit))
         .into()
 }

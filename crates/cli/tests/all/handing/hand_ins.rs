@@ -191,7 +191,10 @@ fn the_results_of_a_class_are_pooled() {
     assert_eq!(gamma["results"].as_array().unwrap().len(), 2);
     let table = meniscus(&["class", "report", folder_name, "--format", "csv"]).stdout;
     let rows: Vec<&str> = table.lines().filter(|line| line.contains(",gamma,")).collect();
-    assert!(rows.len() == 2 && rows[0].starts_with("Linear damping,gamma,1/s,a,0.40"), "{table}");
+    assert!(rows.len() == 3 && rows[0].starts_with("Linear damping,gamma,1/s,a,0.40"), "{table}");
+    // The pooled value with n, interval and tau; every row has as many cells as the head.
+    assert!(rows[2].starts_with("Linear damping,gamma,1/s,pooled,0.40") && rows[2].contains(",,2,"), "{table}");
+    assert!(table.lines().all(|line| line.split(',').count() == 13), "{table}");
     // The form follows the ending of the file.
     for (file, expected) in [("class.html", "<!doctype html>"), ("class.xlsx", "PK"), ("class.csv", "theory,quantity")]
     {

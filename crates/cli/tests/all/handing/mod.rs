@@ -2,3 +2,4 @@
 
 mod hand_ins;
 mod hostile_hand_ins;
+mod marks;

@@ -10,9 +10,17 @@ use program::QuestionText;
 use view::browser;
 use view::views::*;
 
-/// Parts that have a field in every question.
-pub const ALWAYS: [QuestionPart; 4] =
-    [QuestionPart::Prompt, QuestionPart::Answer, QuestionPart::Hint, QuestionPart::Explanation];
+/// Parts that have a field in this question, in the usual order: those that it has, and those that it lacks but could have.
+pub fn parts(asked: &Asked) -> Vec<QuestionPart> {
+    let is_choice = !asked.choose.is_empty() || !asked.options.is_empty();
+    let always = |part: &QuestionPart| match part {
+        QuestionPart::Prompt | QuestionPart::Hint | QuestionPart::Explanation => true,
+        QuestionPart::Answer | QuestionPart::Wrong => !is_choice,
+        QuestionPart::Choose | QuestionPart::Options => is_choice,
+        QuestionPart::After | QuestionPart::Set | QuestionPart::Hide | QuestionPart::Attempts => false,
+    };
+    QuestionPart::ALL.into_iter().filter(|part| always(part) || !asked.text(*part).is_empty()).collect()
+}
 
 /// Data shared by the cards.
 #[derive(Clone, Copy)]
@@ -89,7 +97,15 @@ fn field(questions: Questions, number: usize, part: QuestionPart, refusal: Signa
             typing::change(app, 0, &text, |outline| set_question(outline, number, part, typed)).map(|_| ())
         }),
     };
-    let is_prose = matches!(part, QuestionPart::Prompt | QuestionPart::Hint | QuestionPart::Explanation);
+    // Entries stand one a line.
+    let is_prose = matches!(
+        part,
+        QuestionPart::Prompt
+            | QuestionPart::Wrong
+            | QuestionPart::Options
+            | QuestionPart::Hint
+            | QuestionPart::Explanation
+    );
     let field: View = match is_prose {
         true => piece.prose(app).into(),
         false => piece.line(app).into(),
@@ -108,6 +124,9 @@ fn name(app: App, part: QuestionPart) -> &'static str {
         QuestionPart::Set => words.question_supposes,
         QuestionPart::Hide => words.question_unlocks,
         QuestionPart::Answer => words.question_answer,
+        QuestionPart::Wrong => words.question_wrong,
+        QuestionPart::Choose => words.question_choose,
+        QuestionPart::Options => words.question_options,
         QuestionPart::Attempts => words.question_attempts,
         QuestionPart::Hint => words.hint,
         QuestionPart::Explanation => words.question_explanation_title,

@@ -50,11 +50,7 @@ pub fn view(app: App) -> View {
     // removed.
     let mut last: Vec<Vec<QuestionPart>> = Vec::new();
     let shapes = memo(move || {
-        let parts = |one: &Asked| {
-            let has = |part: &QuestionPart| card::ALWAYS.contains(part) || !one.text(*part).is_empty();
-            QuestionPart::ALL.into_iter().filter(has).collect::<Vec<_>>()
-        };
-        let now: Vec<Vec<QuestionPart>> = all.with(|all| all.iter().map(parts).collect());
+        let now: Vec<Vec<QuestionPart>> = all.with(|all| all.iter().map(card::parts).collect());
         if now.len() != last.len() {
             last = now;
         } else {

@@ -161,14 +161,15 @@ fn common_sequences(bodies: &[&[u8]]) -> (Vec<Vec<usize>>, Vec<Vec<usize>>) {
 mod tests {
     use super::reordered;
     use wasm_encoder::{
-        CodeSection, ConstExpr, ElementSection, Elements, EntityType, ExportKind, ExportSection, Function, FunctionSection,
-        ImportSection, InstructionSink, RefType, TableSection, TableType, TypeSection, ValType,
+        CodeSection, ConstExpr, ElementSection, Elements, EntityType, ExportKind, ExportSection, Function,
+        FunctionSection, ImportSection, InstructionSink, RefType, TableSection, TableType, TypeSection, ValType,
     };
     use wasmi::{Engine, Linker, Module, Store};
 
     /// Calls: an imported function, others directly and through the table.
     fn module() -> Vec<u8> {
-        let (mut types, mut imports, mut functions) = (TypeSection::new(), ImportSection::new(), FunctionSection::new());
+        let (mut types, mut imports, mut functions) =
+            (TypeSection::new(), ImportSection::new(), FunctionSection::new());
         types.ty().function([], [ValType::I32]);
         types.ty().function([ValType::I32], [ValType::I32]);
         imports.import("host", "ten", EntityType::Function(0));
@@ -199,7 +200,13 @@ mod tests {
         });
         add(1, &long(20));
         let mut tables = TableSection::new();
-        tables.table(TableType { element_type: RefType::FUNCREF, table64: false, minimum: 2, maximum: None, shared: false });
+        tables.table(TableType {
+            element_type: RefType::FUNCREF,
+            table64: false,
+            minimum: 2,
+            maximum: None,
+            shared: false,
+        });
         let mut elements = ElementSection::new();
         elements.active(None, &ConstExpr::i32_const(0), Elements::Functions([4, 3].as_slice().into()));
         let mut exports = ExportSection::new();

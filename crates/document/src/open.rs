@@ -2,7 +2,7 @@
 
 use crate::blocks::questions;
 use crate::blocks::questions::{QUESTIONS, RawQuestion};
-use crate::blocks::settings;
+use crate::blocks::settings::{self, Settings};
 use crate::blocks::{assignment, named, plots, presets, survey};
 use crate::card;
 use crate::checks::Checks;
@@ -22,49 +22,65 @@ use units::{Language, words};
 /// Reads and checks a document and its translations. The document is `None` if its model has errors; other faulty parts are
 /// left out.
 pub fn open(source: &str, translations: &[&str]) -> Opened {
-    Opening::begin(source).finish(translations)
+    Opening::begin(source, translations).finish()
 }
 
-/// A document whose model is read and checked, and whose other parts are not: two halves of about the same length, for a
-/// caller that has other things to do in between.
+/// A document that is read part by part, for a caller that has other things to do in between.
 pub struct Opening<'a> {
     file: File<'a>,
-    /// `None` if the model has errors.
-    checked: Option<Checked>,
+    progress: Progress,
+    /// Texts of the translations that are not read yet, the next one last.
+    translations: Vec<&'a str>,
+    /// Diagnostics of the translations read so far.
+    found: Vec<Vec<Diagnostic>>,
+}
+
+/// Progress of [`Opening`]; the content is `None` if the model has errors.
+enum Progress {
+    /// The structure is read.
+    Outlined,
+    /// The model is checked.
+    Checked(Option<Checked>),
+    /// All blocks but those of prose are read.
+    Compiled(Option<Box<Blocks>>),
+    /// The document is read.
+    Read(Option<Box<Read>>),
 }
 
 impl<'a> Opening<'a> {
-    /// Reads and checks the model.
-    pub fn begin(source: &'a str) -> Self {
-        let mut file = File::new(source);
-        if let Some(base) = file.outline.front_matter().get("translates") {
-            let hint = words!("open {}, and this file with it", base.text);
-            file.diagnostics.push(
-                Diagnostic::error(
-                    "translation",
-                    words("this is a translation, which has no model of its own"),
-                    base.span,
-                )
-                .with_hint(hint),
-            );
-        }
-        let checked = file.model();
-        Self { file, checked }
+    /// Reads the structure of a document, the first part.
+    pub fn begin(source: &'a str, translations: &[&'a str]) -> Self {
+        let translations = translations.iter().rev().copied().collect();
+        Self { file: File::new(source), progress: Progress::Outlined, translations, found: Vec::new() }
     }
 
-    /// Reads and checks the rest, and the translations. The result is that of [`open`].
-    pub fn finish(self, translations: &[&str]) -> Opened {
-        let Self { mut file, checked } = self;
-        let mut read = checked.map(|checked| file.document(checked));
-        let mut diagnostics = vec![file.diagnostics];
-        for text in translations {
-            let mut translation = File::new(text);
-            if let Some(read) = &mut read {
-                translation.translate(read);
+    /// Reads and checks the next part: the model, plots and scene, prose and questions, then each translation. False if all are read.
+    pub fn advance(&mut self) -> bool {
+        self.progress = match std::mem::replace(&mut self.progress, Progress::Outlined) {
+            Progress::Outlined => Progress::Checked(self.file.own_model()),
+            Progress::Checked(checked) => {
+                Progress::Compiled(checked.map(|checked| Box::new(self.file.blocks(checked))))
             }
-            diagnostics.push(translation.diagnostics);
-        }
-        let diagnostics = diagnostics.into_iter().enumerate();
+            Progress::Compiled(blocks) => Progress::Read(blocks.map(|blocks| Box::new(self.file.read(*blocks)))),
+            Progress::Read(mut read) => {
+                if let Some(text) = self.translations.pop() {
+                    let mut translation = File::new(text);
+                    if let Some(read) = &mut read {
+                        translation.translate(read);
+                    }
+                    self.found.push(translation.diagnostics);
+                }
+                Progress::Read(read)
+            }
+        };
+        !matches!(self.progress, Progress::Read(_)) || !self.translations.is_empty()
+    }
+
+    /// Reads and checks what is left. The result is that of [`open`].
+    pub fn finish(mut self) -> Opened {
+        while self.advance() {}
+        let read = if let Progress::Read(read) = self.progress { read } else { None };
+        let diagnostics = std::iter::once(self.file.diagnostics).chain(self.found).enumerate();
         Opened {
             document: read.map(|read| read.document),
             diagnostics: diagnostics
@@ -72,6 +88,24 @@ impl<'a> Opening<'a> {
                 .collect(),
         }
     }
+}
+
+/// What the blocks of a document say, without its prose and questions.
+struct Blocks {
+    checked: Checked,
+    settings: Settings,
+    assignment: Option<String>,
+    vary: Vec<usize>,
+    main: Vec<usize>,
+    plots: Vec<program::Plot>,
+    presets: Vec<program::Preset>,
+    checks: Checks,
+    scene: Option<program::Scene>,
+    scene_words: Option<Vec<SceneText>>,
+    /// Diagnostics about blocks as such.
+    misplaced: Vec<Diagnostic>,
+    /// Diagnostics of expressions.
+    found: Vec<Diagnostic>,
 }
 
 /// A document, and the data that its translations need.
@@ -118,13 +152,35 @@ impl<'a> File<'a> {
         checked
     }
 
+    /// The model of a document that is no translation.
+    fn own_model(&mut self) -> Option<Checked> {
+        if let Some(base) = self.outline.front_matter().get("translates") {
+            let hint = words!("open {}, and this file with it", base.text);
+            self.diagnostics.push(
+                Diagnostic::error(
+                    "translation",
+                    words("this is a translation, which has no model of its own"),
+                    base.span,
+                )
+                .with_hint(hint),
+            );
+        }
+        self.model()
+    }
+
     /// Everything except the model.
     pub(crate) fn document(&mut self, checked: Checked) -> Read {
-        let Checked { mut model, statements, places, functions } = checked;
-        let settings = settings::read(self.outline.front_matter(), &model, &mut self.diagnostics);
+        let blocks = self.blocks(checked);
+        self.read(blocks)
+    }
+
+    /// Everything except model, prose and questions.
+    fn blocks(&mut self, mut checked: Checked) -> Blocks {
+        let Checked { model, places, functions, .. } = &mut checked;
+        let settings = settings::read(self.outline.front_matter(), model, &mut self.diagnostics);
         card::check(self.outline.front_matter(), &mut self.diagnostics);
-        let assignment = assignment::read(self.outline.front_matter(), &model, &places, &mut self.diagnostics);
-        let mut expressions = Expressions::new(self.outline.source(), &mut model, &places, &functions);
+        let assignment = assignment::read(self.outline.front_matter(), model, places, &mut self.diagnostics);
+        let mut expressions = Expressions::new(self.outline.source(), model, places, functions);
         let vary = named::vary(&mut expressions, self.outline.front_matter());
         let main = named::main(&mut expressions, self.outline.front_matter());
         let mut plots = Vec::new();
@@ -144,13 +200,37 @@ impl<'a> File<'a> {
             .next()
             .and_then(|block| scene::build(&mut expressions, block.content.range(), Language::of(&settings.language)))
             .unzip();
-        let mut further: Vec<Diagnostic> =
+        let mut misplaced: Vec<Diagnostic> =
             scenes.map(|block| Diagnostic::error("fence", words("a document has one scene"), block.head())).collect();
-        further.extend(self.outline.blocks_of(BlockKind::Translations).map(|block| {
+        misplaced.extend(self.outline.blocks_of(BlockKind::Translations).map(|block| {
             Diagnostic::error("fence", words("translations stand in a file of their own"), block.head()).with_hint(
                 words("such as `utube.es.md`, whose front matter says `language: es` and `translates: utube.md`"),
             )
         }));
+        let found = expressions.diagnostics;
+        Blocks {
+            checked,
+            settings,
+            assignment,
+            vary,
+            main,
+            plots,
+            presets,
+            checks,
+            scene,
+            scene_words,
+            misplaced,
+            found,
+        }
+    }
+
+    /// The document from its blocks, with prose and questions.
+    fn read(&mut self, blocks: Blocks) -> Read {
+        let Blocks { checked, settings, assignment, vary, main, plots, presets, checks, scene, scene_words, .. } =
+            blocks;
+        let Checked { mut model, statements, places, functions } = checked;
+        let mut further = blocks.misplaced;
+        let mut expressions = Expressions::new(self.outline.source(), &mut model, &places, &functions);
         let mut compiled: Vec<Question> = Vec::new();
         let mut earlier: Vec<Option<usize>> = Vec::new();
         let (prose, texts, questions) = self.prose(&mut further, |raw| {
@@ -163,6 +243,7 @@ impl<'a> File<'a> {
         further.extend(found);
         let survey = survey::read(&self.outline, &mut further);
         let (items, survey_texts, surveyed) = survey::kept(survey, &mut further);
+        further.extend(blocks.found);
         further.append(&mut expressions.diagnostics);
         self.diagnostics.extend(further);
         let edition = Edition {

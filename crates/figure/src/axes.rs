@@ -3,7 +3,7 @@
 use crate::figure::Figure;
 use crate::items::{Anchor, Dash, Entry, Ink, Point, Stroke, crisp};
 use crate::layout::{GAP, LABEL, ROW, TICK, point};
-use crate::plot::Plot;
+use crate::plot::{Axis, Plot};
 use crate::text::width;
 use crate::ticks::Ticks;
 
@@ -46,6 +46,7 @@ impl Figure {
         let font = self.font_size;
         let panel = self.panel;
         let start = self.text.len();
+        self.write_name(&plot.x, f64::from(panel.width));
         x_ticks.write_title(&mut self.text, plot.x.label, plot.x.unit);
         let at = point(
             f64::from(panel.x + panel.width / 2.0),
@@ -57,8 +58,11 @@ impl Figure {
         let mut right = f64::from(panel.x + panel.width);
         for (index, axis) in plot.y.iter().enumerate().take(self.y.len()) {
             let start = self.text.len();
-            self.y_ticks[index].write_title(&mut self.text, axis.label, axis.unit);
             let several = self.y.len() > 1;
+            if !several {
+                self.write_name(axis, self.width - 2.0 * GAP * font);
+            }
+            self.y_ticks[index].write_title(&mut self.text, axis.label, axis.unit);
             let ink = if several { axis_ink(plot, index) } else { Ink::Text };
             let (at, anchor) = if index == 0 {
                 let raised = if rows > 1.0 { ROW * font } else { 0.0 };
@@ -68,6 +72,15 @@ impl Figure {
                 (point(right, baseline), Anchor::End)
             };
             self.push_written(start, at, anchor, font, false, ink);
+        }
+    }
+
+    /// Writes the name of an axis before its label, if the title is not longer than this, in pixels.
+    fn write_name(&mut self, axis: &Axis<'_>, most: f64) {
+        let room = most - self.axis_title_width(axis);
+        if !axis.name.is_empty() && width(axis.name, self.font_size) <= room {
+            self.text.push_str(axis.name);
+            self.text.push(' ');
         }
     }
 

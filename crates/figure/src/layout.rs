@@ -227,7 +227,7 @@ impl Figure {
 
     /// Upper bound of the width of the title of a vertical axis, pixels. Includes space for a power of ten, which is not
     /// known yet.
-    fn axis_title_width(&self, axis: &Axis<'_>) -> f64 {
+    pub(crate) fn axis_title_width(&self, axis: &Axis<'_>) -> f64 {
         width(axis.label, self.font_size) + width(axis.unit, self.font_size) + 4.5 * self.font_size
     }
 

@@ -32,6 +32,8 @@ pub struct Plot<'a> {
 pub struct Axis<'a> {
     /// Name of the quantity, `y` or `E, T, V`.
     pub label: &'a str,
+    /// Words that stand before the label in the title of the axis, such as `Displacement`, if there is room; empty for none.
+    pub name: &'a str,
     /// Unit as text, empty for a pure number.
     pub unit: &'a str,
     /// Range that automatic limits must contain as well, in the unit of the axis; keeps an axis from starting empty.

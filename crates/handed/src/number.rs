@@ -43,6 +43,6 @@ impl Visitor<'_> for NumberOrText {
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Number, E> {
-        text.parse().map(Number).map_err(|_| E::invalid_value(Unexpected::Str(text), &self))
+        units::number::decimal(text).map(Number).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
     }
 }

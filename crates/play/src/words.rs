@@ -82,6 +82,20 @@ pub fn kept_run(language: Language, name: &str) -> String {
     say!(language, "the kept run “{name}”")
 }
 
+/// What a fold with further parameters and values holds.
+pub fn further(language: Language, parameters: usize, values: usize) -> String {
+    match (parameters, values) {
+        (0, values) => say!(language, "{values} values"),
+        (parameters, 0) => say!(language, "{parameters} parameters"),
+        (parameters, values) => say!(language, "{parameters} parameters, {values} values"),
+    }
+}
+
+/// Name of the time on an axis.
+pub fn time_axis(language: Language) -> &'static str {
+    language.say("Time")
+}
+
 /// Name of the time of a run in a list of other items.
 pub fn time(language: Language, time: &str) -> String {
     say!(language, "the time {time}")

@@ -68,7 +68,7 @@ fn nice(value: f64) -> f64 {
     }
     let exponent = units::number::leading_exponent(value);
     let candidates = [(1, exponent), (2, exponent), (5, exponent), (1, exponent + 1)];
-    let read = |(digit, power): (u8, i32)| format!("{digit}e{power}").parse::<f64>().ok();
+    let read = |(digit, power): (u8, i32)| units::number::decimal(&format!("{digit}e{power}"));
     let found = candidates.into_iter().filter_map(read).find(|candidate| *candidate >= value);
     found.filter(|found| found.is_finite()).unwrap_or(value)
 }

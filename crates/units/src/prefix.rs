@@ -25,7 +25,7 @@ impl Unit {
             "m" => 3,
             _ => i32::MAX,
         };
-        let wanted: f64 = format!("1e{power}").parse().ok()?;
+        let wanted = crate::number::decimal(&format!("1e{power}"))?;
         USUAL.iter().filter(|(_, tens)| *tens <= greatest).find_map(|(prefix, _)| {
             let unit = Self::parse(&[prefix, self.text.as_str()].concat()).ok()?;
             let ratio = unit.factor / self.factor / wanted;

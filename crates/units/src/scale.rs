@@ -81,7 +81,7 @@ impl Scale {
 
     fn value(self) -> f64 {
         // Parsing the power of ten rounds it correctly; a power function may not.
-        let power = format!("1e{}", self.tens).parse().unwrap_or(f64::NAN);
+        let power = crate::number::decimal(&format!("1e{}", self.tens)).unwrap_or(f64::NAN);
         self.numerator as f64 / self.denominator as f64 * self.rest * power
     }
 }

@@ -102,7 +102,7 @@ pub fn bring_into_sight(id: &str) {
     // The scroll margin is the height of the content that sticks to the top of the window.
     let margin = window().get_computed_style(&element).ok().flatten();
     let margin = margin.and_then(|style| style.get_property_value("scroll-margin-top").ok());
-    let margin: f64 = margin.and_then(|margin| margin.trim_end_matches("px").parse().ok()).unwrap_or(0.0);
+    let margin = margin.and_then(|margin| units::number::decimal(margin.trim_end_matches("px"))).unwrap_or(0.0);
     let top = element.get_bounding_client_rect().top();
     let above = top - margin;
     let height = window().inner_height().ok().and_then(|height| height.as_f64()).unwrap_or(f64::INFINITY);

@@ -1,4 +1,4 @@
-// A tick box for a switch, a drop-down for a choice.
+// A tick box for a switch, chips for a choice.
 
 import assert from "node:assert/strict";
 import { beside, eventually, visit } from "../lab.mjs";
@@ -9,28 +9,30 @@ async function ball(lab) {
   await lab.page.getByRole("heading", { level: 1, name: "A ball in a liquid" }).waitFor();
 }
 
+const liquids = (lab) => lab.page.getByRole("toolbar", { name: "Liquid" });
+const chosen = (lab) => liquids(lab).locator("[aria-pressed=true]").innerText();
+
 visit("a liquid is chosen, drag is ticked off, and defaults and undo bring both back", async (lab) => {
   await ball(lab);
-  const liquid = lab.page.getByLabel("Liquid");
   const drag = lab.page.getByLabel("With drag");
-  assert.deepEqual(await liquid.locator("option").allInnerTexts(), ["Water", "Glycerine"]);
+  assert.deepEqual(await liquids(lab).getByRole("button").allInnerTexts(), ["Water", "Glycerine"]);
   assert.equal(await drag.isChecked(), true);
-  await liquid.selectOption("Glycerine");
+  await liquids(lab).getByRole("button", { name: "Glycerine" }).click();
   await drag.focus();
   await lab.page.keyboard.press("Space");
   assert.equal(await drag.isChecked(), false);
   await lab.press("Restore defaults");
-  assert.equal(await liquid.locator("option:checked").innerText(), "Water");
+  assert.equal(await chosen(lab), "Water");
   assert.equal(await drag.isChecked(), true);
   await lab.page.evaluate(() => document.activeElement.blur());
   await lab.keys("Control+z");
-  assert.equal(await liquid.locator("option:checked").innerText(), "Glycerine");
+  assert.equal(await chosen(lab), "Glycerine");
   assert.equal(await drag.isChecked(), false);
 });
 
 visit("a link carries what is chosen, in words", async (lab) => {
   await ball(lab);
-  await lab.page.getByLabel("Liquid").selectOption("Glycerine");
+  await liquids(lab).getByRole("button", { name: "Glycerine" }).click();
   await lab.page.getByLabel("With drag").uncheck();
   assert.match(await lab.copyLink(), /[Ll]ink/);
   const address = decodeURIComponent(lab.page.url());

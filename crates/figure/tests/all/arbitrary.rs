@@ -58,7 +58,7 @@ proptest! {
         if sorted {
             x.sort_by(f64::total_cmp);
         }
-        let axis = Axis { label: &label, unit: "m", include, only: None };
+        let axis = Axis { label: &label, unit: "m", include, only: None, ..Axis::default() };
         let plot = Plot {
             title: &label,
             x: axis,

@@ -23,6 +23,21 @@ pub fn axis<'a>(label: &'a str, unit: &'a str) -> Axis<'a> {
     Axis { label, unit, ..Axis::default() }
 }
 
+#[test]
+fn a_name_stands_before_the_symbol_where_it_has_room() {
+    let (time, displacement, _) = columns(201);
+    let plot = Plot {
+        x: Axis { name: "Time", ..time_axis() },
+        y: vec![Axis { name: "Displacement", ..axis("y", "m") }],
+        series: vec![Series { x: &time, y: &displacement, ..Series::default() }],
+        ordered: true,
+        ..Plot::default()
+    };
+    let titles = |width| texts(&layout(&plot, &settings(width, 240.0)))[..2].join(", ");
+    assert_eq!(titles(400.0), "Time t [s], Displacement y [m]");
+    assert_eq!(titles(130.0), "t [s], y [m]");
+}
+
 /// All texts in order.
 pub fn texts(figure: &Figure) -> Vec<String> {
     let text = |item| {

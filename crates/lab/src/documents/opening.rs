@@ -104,8 +104,7 @@ impl Made {
     fn of(language: Language, opened: Opened) -> Self {
         let mut desk = opened.document.map(Desk::open);
         if let Some(desk) = &mut desk {
-            compile_steps(desk);
-            desk.set_language(language.tag());
+            prepare(desk, language);
         }
         Self { desk, findings: opened.diagnostics }
     }
@@ -115,11 +114,25 @@ impl Made {
 async fn made_in_portions(sources: &[Source], language: Language, turn: impl AsyncFn()) -> Made {
     turn().await;
     let (source, translations) = texts_of(sources);
-    let opening = Opening::begin(source);
+    let mut opening = Opening::begin(source, &translations);
     turn().await;
-    let opened = opening.finish(&translations);
+    while opening.advance() {
+        turn().await;
+    }
+    let Opened { document, diagnostics } = opening.finish();
     turn().await;
-    Made::of(language, opened)
+    let mut desk = document.map(Desk::open);
+    turn().await;
+    if let Some(desk) = &mut desk {
+        prepare(desk, language);
+    }
+    Made { desk, findings: diagnostics }
+}
+
+/// Lets a desk compile its steps, and puts its texts into this language.
+fn prepare(desk: &mut Desk, language: Language) {
+    compile_steps(desk);
+    desk.set_language(language.tag());
 }
 
 /// Makes the steps of the run, and of later ones, in WebAssembly that is emitted for them.
@@ -212,9 +225,8 @@ pub fn mend(app: App, change: impl FnOnce(&mut Writing, &mut Vec<Source>) -> Opt
         }
         lab.findings = lab.faulty.findings().to_vec();
         let mut desk = Desk::open(document?);
-        compile_steps(&mut desk);
         desk.set_writing(std::mem::take(&mut lab.faulty));
-        desk.set_language(language.tag());
+        prepare(&mut desk, language);
         lab.sources_before.clear();
         Some(place(lab, Some(desk)))
     });

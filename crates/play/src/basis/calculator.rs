@@ -175,7 +175,7 @@ impl Reader<'_> {
     fn number(&mut self) -> Option<Value> {
         let length = super::typed::number_length(self.rest);
         let (digits, rest) = self.rest.split_at(length);
-        let number: f64 = digits.parse().ok()?;
+        let number = units::number::decimal(digits)?;
         self.rest = rest.trim_start();
         let Some((unit, rest)) = self.rest.strip_prefix('[').and_then(|rest| rest.split_once(']')) else {
             let dimension = (number != 0.0).then_some(Dimension::NONE);

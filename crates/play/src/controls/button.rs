@@ -78,7 +78,7 @@ pub(crate) fn read(text: &str, buttons: &[Button], encode: impl Fn(&str) -> Stri
         let name = parts.next()?;
         let button = buttons.iter().position(|button| encode(key(button)) == name)?;
         for time in parts {
-            let time: f64 = time.parse().ok()?;
+            let time = units::number::decimal(time)?;
             let follows = presses.last().is_none_or(|last| last.time <= time);
             if !(time >= 0.0 && time.is_finite() && follows) || presses.len() >= MOST_PRESSES {
                 return None;

@@ -211,7 +211,7 @@ fn extent(program: &Program, language: &str) -> (f64, f64) {
         return unlimited;
     };
     let numbers: Vec<f64> =
-        text.split([' ', ',']).filter(|part| !part.is_empty()).filter_map(|part| part.parse().ok()).collect();
+        text.split([' ', ',']).filter(|part| !part.is_empty()).filter_map(units::number::decimal).collect();
     match numbers.as_slice() {
         [_, _, width, height] if *width > 0.0 && *height > 0.0 => (*width, *height),
         _ => unlimited,

@@ -119,7 +119,7 @@ fn power(low: f64, high: f64, default: f64) -> u32 {
 fn round_step(step: f64) -> f64 {
     let scientific = format!("{step:e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
+    let mantissa = units::number::decimal(mantissa).unwrap_or(1.0);
     let round = if mantissa >= 5.0 {
         5
     } else if mantissa >= 2.0 {
@@ -127,7 +127,7 @@ fn round_step(step: f64) -> f64 {
     } else {
         1
     };
-    format!("{round}e{exponent}").parse().unwrap_or(step)
+    units::number::decimal(&format!("{round}e{exponent}")).unwrap_or(step)
 }
 
 #[cfg(test)]

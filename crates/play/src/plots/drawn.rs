@@ -92,12 +92,15 @@ impl Figures<'_> {
             || columns.curves.iter().filter_map(|curve| self.line.range_ahead(curve.x)).reduce(Interval::joined);
         let include = if independent { Some(first) } else { across() };
         let y = labels.axes.iter().enumerate();
-        let y = y.map(|(axis, (label, unit))| Axis { label, unit, include: ahead(axis), only: along(axis) });
+        let y = y.map(|(axis, (label, unit))| {
+            let name = labels.names.1.get(axis).map_or("", String::as_str);
+            Axis { label, name, unit, include: ahead(axis), only: along(axis) }
+        });
         let y = y.collect();
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include, only },
+            x: Axis { label: &labels.x.0, name: &labels.names.0, unit: &labels.x.1, include, only },
             y,
             series,
             marker: if independent { until.or_else(|| self.line.present().get(columns.x).copied()) } else { None },
@@ -112,11 +115,14 @@ impl Figures<'_> {
     fn empty_figure(&self, index: usize) -> Option<Plot<'_>> {
         let state = self.plots.states.get(index)?;
         let labels = &state.labels;
+        let names = labels.names.1.iter().map(String::as_str).chain(std::iter::repeat(""));
+        let y = labels.axes.iter().zip(names);
+        let y = y.map(|((label, unit), name)| Axis { label, name, unit, ..Axis::default() });
         Some(Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, ..Axis::default() },
-            y: labels.axes.iter().map(|(label, unit)| Axis { label, unit, ..Axis::default() }).collect(),
+            x: Axis { label: &labels.x.0, name: &labels.names.0, unit: &labels.x.1, ..Axis::default() },
+            y: y.collect(),
             view: state.view.clone(),
             equal: self.has_equal_axes(index),
             ..Plot::default()
@@ -230,11 +236,12 @@ impl Figures<'_> {
             ..Series::default()
         });
         let limits = added.y_limits.filter(|_| view.y.is_empty());
-        let axis = |(label, unit): &'a (String, String)| Axis { label, unit, include: added.y_includes, only: None };
+        let axis =
+            |(label, unit): &'a (String, String)| Axis { label, unit, include: added.y_includes, ..Axis::default() };
         Plot {
             title: &labels.title,
             description: &labels.description,
-            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes, only: None },
+            x: Axis { label: &labels.x.0, unit: &labels.x.1, include: added.x_includes, ..Axis::default() },
             y: labels.axes.iter().map(axis).collect(),
             series: series.collect(),
             marker: added.marks_time.then(|| unit.from_si(self.line.course().time())),

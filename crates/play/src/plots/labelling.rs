@@ -5,6 +5,7 @@ use super::traces::Columns;
 use crate::values::symbol::symbol;
 use crate::{Basis, number, words};
 use program::{Curve, Drawing, Plot};
+use units::Dimension;
 use units::mathml::is_word;
 
 impl Basis {
@@ -27,6 +28,22 @@ impl Basis {
             }
             _ if curves.iter().all(|(curve, _)| curve.label.is_some()) => String::new(),
             _ => curves.iter().map(|(_, name)| name.as_str()).collect::<Vec<_>>().join(", "),
+        }
+    }
+
+    /// Words before the title of an axis: the label of its only curve, unless it is the title. Time has a name without a label.
+    fn axis_name(&self, curves: &[(&Curve, &String)], title: &str) -> String {
+        let [(curve, _)] = curves else { return String::new() };
+        let independent = &self.model().independent;
+        match &curve.label {
+            Some(label) => Some(self.text(label)).filter(|label| *label != title).unwrap_or_default().to_owned(),
+            None if curve.expression == independent.name
+                && !independent.counts
+                && independent.unit.dimension == Dimension::TIME =>
+            {
+                words::time_axis(self.language()).to_owned()
+            }
+            None => String::new(),
         }
     }
 
@@ -54,21 +71,25 @@ impl Basis {
             let places = columns.curves.iter().enumerate().filter(|(_, columns)| columns.axis == axis);
             let here: Vec<(&Curve, &String)> =
                 places.filter_map(|(place, _)| plot.curves.get(place).zip(curves.get(place))).collect();
-            (self.axis_title(&here), number::unit_text(&unit.text))
+            let title = self.axis_title(&here);
+            (self.axis_name(&here, &title), (title, number::unit_text(&unit.text)))
         });
+        let (axis_names, axes) = axes.unzip();
         let mut abscissas: Vec<(&Curve, String)> = plot.abscissas().map(|x| (x, symbol(&x.expression))).collect();
         abscissas.dedup_by(|one, other| one.1 == other.1);
         let abscissas: Vec<(&Curve, &String)> = abscissas.iter().map(|(x, name)| (*x, name)).collect();
+        let x = self.axis_title(&abscissas);
         let across = (0..curves.len()).map(|curve| match plot.others.is_empty() {
             true => String::new(),
             false => symbol(&plot.x_of(curve).expression),
         });
         let across = across.collect();
         Some(Labels {
-            axes: axes.collect(),
+            axes,
+            names: (self.axis_name(&abscissas, &x), axis_names),
             description: format!("{title}: {description}"),
             title,
-            x: (self.axis_title(&abscissas), number::unit_text(&plot.x.value.unit.text)),
+            x: (x, number::unit_text(&plot.x.value.unit.text)),
             curves,
             legend,
             across,
@@ -83,7 +104,8 @@ impl Basis {
         let count = words::count(self.language()).to_owned();
         let x = (name, number::unit_text(&plot.x.value.unit.text));
         let axes = vec![(count.clone(), String::new())];
-        Labels { title, description, x, axes, curves: vec![count], ..Labels::default() }
+        let names = (plot.x.label.as_ref().map_or_else(String::new, |label| self.text(label).to_owned()), Vec::new());
+        Labels { title, description, x, axes, names, curves: vec![count], ..Labels::default() }
     }
 
     /// Description of a plot: `Height (y), Speed (v) against Time (t).` Curves with the same abscissa are grouped.

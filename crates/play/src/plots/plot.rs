@@ -40,6 +40,12 @@ pub struct PlotView {
     pub offered: bool,
     /// True if it stands apart from the other plots.
     pub apart: bool,
+    /// True if its curves are drawn against the independent variable of the run.
+    pub follows_run: bool,
+    /// Expression of its only curve, if that is drawn against the independent variable; otherwise empty.
+    pub quantity: String,
+    /// Symbols of its curves, those of a path in the plane with their abscissa: `T, V, E`, `y′(y)`.
+    pub symbols: String,
     /// True if both axes have the same scale, so that its height limits its width.
     pub equal: bool,
 }

@@ -18,9 +18,30 @@ impl<'a> Figures<'a> {
             automatic: plot.view.is_automatic(),
             offered: plot.added.as_ref().is_none_or(|added| added.offered),
             apart: plot.added.as_ref().is_some_and(|added| added.apart),
+            follows_run: self.is_against_independent(index),
+            quantity: self.quantity_of(index),
+            symbols: self.symbols_of(index),
             equal: self.has_equal_axes(index),
         };
         self.plots.states.iter().enumerate().map(view).collect()
+    }
+
+    /// Expression of the only curve of a plot of the document against the independent variable; empty for other plots.
+    fn quantity_of(&self, index: usize) -> String {
+        let plot = self.basis.program().plots.get(index).filter(|_| self.is_against_independent(index));
+        match plot.map(|plot| &plot.curves[..]) {
+            Some([curve]) => curve.expression.clone(),
+            _ => String::new(),
+        }
+    }
+
+    /// Symbols of the curves of a plot of the document, with that of another abscissa than the independent variable.
+    fn symbols_of(&self, index: usize) -> String {
+        let Some(state) = self.plots.states.get(index).filter(|state| state.added.is_none()) else {
+            return String::new();
+        };
+        let (curves, across) = (state.labels.curves.join(", "), &state.labels.x.0);
+        if self.is_against_independent(index) || across.is_empty() { curves } else { format!("{curves}({across})") }
     }
 
     /// Number of complete runs of a sweep plot and total number; `None` if it needs no runs or all are complete.

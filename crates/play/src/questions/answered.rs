@@ -200,7 +200,7 @@ impl Answers {
     pub fn number(&self, basis: &Basis, question: usize, text: &str) -> Option<f64> {
         let unit = &basis.program().questions.get(question)?.number()?.unit;
         let answer = basis.read_answer(text, unit, basis.style()).ok().filter(|answer| answer.error.is_none())?;
-        format!("{:.11e}", unit.from_si(answer.value)).parse().ok()
+        units::number::decimal(&format!("{:.11e}", unit.from_si(answer.value)))
     }
 
     /// Right answer with its unit, or the letters of the right options, for the values of the seat, those assumed by the question, and otherwise the present ones; a

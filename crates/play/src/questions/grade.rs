@@ -101,7 +101,7 @@ pub(super) fn grade(given: f64, right: f64, tolerance: Tolerance) -> Grade {
         Tolerance::Absolute(amount) => Tolerance::Absolute(amount * CLOSE),
     };
     let scaled = |power: i32| {
-        let factor: f64 = format!("1e{power}").parse().unwrap_or(1.0);
+        let factor = units::number::decimal(&format!("1e{power}")).unwrap_or(1.0);
         right != 0.0 && tolerance.accepts(given * factor, right)
     };
     if !right.is_finite() {

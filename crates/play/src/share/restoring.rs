@@ -220,7 +220,7 @@ fn view(limits: &str) -> Option<View> {
 }
 
 fn number(text: &str) -> Option<f64> {
-    text.parse().ok().filter(|value: &f64| value.is_finite())
+    units::number::decimal(text).filter(|value| value.is_finite())
 }
 
 #[cfg(test)]

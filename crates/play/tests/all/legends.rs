@@ -51,6 +51,26 @@ fn a_label_that_the_plot_gives_stands_in_the_legend() {
 }
 
 #[test]
+fn an_axis_has_the_label_of_its_only_quantity() {
+    let source = "---\nlanguage: en\n---\n```model\nx = 1 [m]*cos(1 [1/s]*t) \"Distance\"\nv = x' \"Speed\"\n```\n\
+        ```plots\n\"Motion\": x against t\n\"Both\": x, v against t\n\"Plane\": v against x\n```\n";
+    let spanish = "---\nlanguage: es\n---\n```translations\n\"Distance\" = \"Distancia\"\n\"Speed\" = \"Rapidez\"\n\
+        \"Motion\" = \"Movimiento\"\n\"Both\" = \"Ambas\"\n\"Plane\" = \"Plano\"\n```\n";
+    let mut play = open(source, &[spanish]);
+    let shows = |play: &mut Play, plot: usize, texts: &[&str]| {
+        let svg = play.plots_to_front().svg(PlotId::at(plot), &Settings::default(), &figure::Palette::LIGHT);
+        for text in texts {
+            assert!(svg.contains(&format!(">{text}<")), "{text}: {svg}");
+        }
+    };
+    shows(&mut play, 0, &["Time t [s]", "Distance x [m]"]);
+    shows(&mut play, 1, &["Time t [s]", "x [m]", "v [m/s]"]);
+    shows(&mut play, 2, &["Distance x [m]", "Speed v [m/s]"]);
+    play.set_language("es");
+    shows(&mut play, 0, &["Tiempo t [s]", "Distancia x [m]"]);
+}
+
+#[test]
 fn a_length_in_the_drawing_is_that_of_its_handles() {
     // 40 scene units are 1 m.
     assert_eq!(utube().grips().length(40.0).as_deref(), Some("1 m"));

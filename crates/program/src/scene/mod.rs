@@ -25,7 +25,7 @@ impl Scene {
     pub fn size(&self) -> Option<[f64; 2]> {
         let view = self.root.attributes.iter().find(|attribute| attribute.name == "viewBox")?;
         let [Piece::Literal(text)] = view.value.as_slice() else { return None };
-        let numbers = text.split([' ', ',']).filter(|part| !part.is_empty()).map(|part| part.parse().ok());
+        let numbers = text.split([' ', ',']).filter(|part| !part.is_empty()).map(units::number::decimal);
         let [_, _, width, height] = numbers.collect::<Option<Vec<f64>>>()?[..] else { return None };
         (width > 0.0 && height > 0.0 && (width / height).is_finite()).then_some([width, height])
     }

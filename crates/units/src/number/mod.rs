@@ -12,9 +12,10 @@
 //!   decimals ([`Layout`], [`Group`]). A value negligible beside the largest one of its group is therefore written as zero.
 //! - All digits before the decimal sign are written. The minus sign is U+2212, and zero has none. A value that is not
 //!   finite is written as a dash.
-//! - Numbers for programs are exact: [`shortest`] reads back as the same bits.
+//! - Numbers for programs are exact: [`shortest`] is read back as the same bits by [`decimal()`].
 
 mod axis;
+mod decimal;
 mod digits;
 mod error;
 mod exact;
@@ -25,6 +26,7 @@ mod sign;
 pub mod typed;
 
 pub use axis::{axis_unit, common_power, leading_exponent, resolved, scaled_by, tick};
+pub use decimal::decimal;
 pub use error::{concise, with_error};
 pub use exact::{compact, shortest};
 pub use group::{Group, Layout};

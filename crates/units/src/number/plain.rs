@@ -57,7 +57,7 @@ pub fn roundest(low: f64, high: f64) -> f64 {
         return 0.0;
     }
     (0..16)
-        .filter_map(|decimals| format!("{middle:.decimals$e}").parse::<f64>().ok())
+        .filter_map(|decimals| super::decimal(&format!("{middle:.decimals$e}")))
         .find(|candidate| (low..=high).contains(candidate))
         .unwrap_or(middle)
 }
@@ -125,7 +125,7 @@ fn units_of(value: f64, last: i32) -> String {
         let up = match usize::try_from(-last) {
             // Exact; half a unit in decimal is not.
             Ok(decimals) => format!("{size:.decimals$}").ends_with('1'),
-            Err(_) => place_point("5", last - 1).parse().is_ok_and(|half: f64| size > half),
+            Err(_) => super::decimal(&place_point("5", last - 1)).is_some_and(|half| size > half),
         };
         return if up { "1" } else { "0" }.to_owned();
     };

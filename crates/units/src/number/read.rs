@@ -30,9 +30,9 @@ pub fn parse(text: &str, style: Style) -> Option<(f64, &str)> {
         end = at + character.len_utf8();
         characters.next();
     }
-    digits.push_str(&decimal(&text[start..end], style)?);
+    digits.push_str(&without_groups(&text[start..end], style)?);
     let (exponent, rest) = power_of_ten(&text[end..]);
-    let value: f64 = format!("{digits}e{exponent}").parse().ok()?;
+    let value = super::decimal(&format!("{digits}e{exponent}"))?;
     value.is_finite().then_some((value, rest.trim()))
 }
 
@@ -46,7 +46,7 @@ fn three_digits_follow(text: &str) -> bool {
 }
 
 /// The typed digits with at most one decimal point; `None` if they are no number.
-fn decimal(typed: &str, style: Style) -> Option<String> {
+fn without_groups(typed: &str, style: Style) -> Option<String> {
     let mut text: String = typed.chars().filter(|character| !character.is_whitespace()).collect();
     if !text.bytes().any(|byte| byte.is_ascii_digit()) {
         return None;

@@ -1,7 +1,9 @@
-//! Controls for switches (check box) and choices (drop-down list).
+//! Controls for switches (check box) and choices: chips, or a drop-down list where there are many.
 
+use super::CHIPS;
 use crate::app::App;
 use crate::pieces::symbols::name_and_symbol;
+use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
 use play::{ChoiceView, ParameterView};
 
@@ -31,6 +33,23 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
             .when(events::change, move |event| set(f64::from(u8::from(is_checked(&event)))));
         return div().class(move || row("on-off")).child(name).child(tick).child(refusal);
     }
+    if first.choices.len() <= CHIPS {
+        let bar = Toolbar::new();
+        let name_id = format!("{id}-name");
+        let chip = |(place, choice): (usize, ChoiceView)| {
+            button()
+                .class("chip")
+                .tabindex(move || bar.stop(place))
+                .when(events::focus, move |_| bar.enter(place))
+                .attr("aria-pressed", move || (value() == choice.value).to_string())
+                .when(events::click, move |_| set(choice.value))
+                .child(choice.text)
+        };
+        let chips = div().class("chips").role("toolbar").id(id).attr("aria-labelledby", name_id.clone());
+        let chips = chips.when(events::keydown, Toolbar::turn).each(first.choices.into_iter().enumerate(), chip);
+        let name = span().class("name").id(name_id).title(title).child(name_and_symbol(&first.label, &first.name));
+        return div().class(move || row("chosen")).child(name).child(chips).child(refusal);
+    }
     let alternative = |choice: ChoiceView| {
         option().value(choice.value.to_string()).selected(move || value() == choice.value).child(choice.text)
     };
@@ -39,7 +58,7 @@ pub fn control(app: App, first: ParameterView) -> HtmlDiv {
         .id(id)
         .prop("value", move || value().to_string())
         .when(events::change, move |event| {
-            if let Ok(value) = value_of(&event).parse() {
+            if let Some(value) = units::number::decimal(&value_of(&event)) {
                 set(value);
             }
         })

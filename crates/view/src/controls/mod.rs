@@ -9,7 +9,7 @@ mod sizes;
 
 use crate::app::App;
 use crate::browser;
-use crate::panel::readouts::followed;
+use crate::pieces::followed::followed;
 use crate::pieces::symbols::name_and_symbol;
 use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
@@ -65,6 +65,12 @@ fn groups_of(app: App, wanted: impl Fn(usize) -> bool) -> Vec<ParameterGroup> {
     }
     groups.retain(|group| !group.parameters.is_empty());
     groups
+}
+
+/// Number of parameters that are not in sight without *More*.
+pub fn further_count(app: App) -> usize {
+    let main = main_parameters(app);
+    groups_of(app, |index| !main.contains(&index)).iter().map(|group| group.parameters.len()).sum()
 }
 
 /// The card with the parameters and presets that are not in sight without *More*; empty if there are none.

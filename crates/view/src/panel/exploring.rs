@@ -3,7 +3,7 @@
 
 use crate::app::App;
 use crate::views::*;
-use crate::{controls, panel::data, panel::readouts};
+use crate::{controls, panel::data, panel::readouts, stage::tiles};
 use play::PagePart;
 use web_sys::HtmlDetailsElement;
 
@@ -35,6 +35,7 @@ fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
             adjusts.then(|| {
                 View::from((controls::further(app), controls::lockable(app, controls::state_and_method(app).into())))
             }),
+            tiles::more(app),
             reads.then(|| View::from((readouts::further(app), recorded(app)))),
         ))
     };
@@ -43,8 +44,20 @@ fn more(app: App, adjusts: bool, reads: bool) -> HtmlDetails {
         .id("more")
         .open(open.get_untracked())
         .when(events::toggle, move |_| open.set(node.open()))
-        .child(summary().child(app.words().more))
+        .child(
+            summary()
+                .child(app.words().more)
+                .maybe(holds(app, adjusts, reads).map(|held| span().class("note").child(held))),
+        )
         .child(changing(move || if is_needed.get() { content() } else { View::new() }))
+}
+
+/// Number of parameters and values in the fold, in words; none if it has neither.
+fn holds(app: App, adjusts: bool, reads: bool) -> Option<String> {
+    let parameters = if adjusts { controls::further_count(app) } else { 0 };
+    let values = if reads { readouts::further_count(app) } else { 0 };
+    let language = app.language.get_untracked();
+    (parameters + values > 0).then(|| play::words::further(language, parameters, values))
 }
 
 /// The recorded values. While folded, they are not updated.

@@ -2,11 +2,12 @@
 
 use crate::app::App;
 use crate::controls::member;
+use crate::pieces::followed::followed;
 use crate::pieces::portions::in_portions;
-use crate::pieces::sight::in_sight;
 use crate::pieces::steady::steady;
+use crate::stage::tiles;
 use crate::views::*;
-use play::{Play, Readout, ReadoutKind};
+use play::{Readout, ReadoutKind};
 
 /// Maximum number of readouts in sight without *More*.
 const MAIN: usize = 3;
@@ -15,9 +16,18 @@ const MAIN: usize = 3;
 /// by a question.
 pub fn main(app: App) -> HtmlSection {
     let [main, _] = divided(app);
-    let mut readouts = part("readouts", "readouts card", app.words().readouts);
+    let on_tiles = tiles::values(app);
+    let is_on_tile = move |readout: &Readout| on_tiles.contains(&readout.name);
+    let all_are = main.iter().all(|(_, readout)| is_on_tile(readout));
+    let class = if all_are { "readouts card on-tiles" } else { "readouts card" };
+    let mut readouts = part("readouts", class, app.words().readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
-    readouts.child(div().class("values").child(list(app, now, main)))
+    // What stands on a tile above the plot is here for screen readers, and where tiles have no room.
+    let rows = dl().each(main, |(index, readout)| {
+        let row = row(app, now, index, &readout);
+        if is_on_tile(&readout) { row.class("on-tile") } else { row }
+    });
+    readouts.child(div().class("values").child(rows))
 }
 
 /// The others: first those that change with time, then constant ones.
@@ -46,6 +56,12 @@ pub fn further(app: App) -> HtmlSection {
         .maybe(hides.then(|| switch(shown, words.show_hidden)))
 }
 
+/// Number of the others that no question hides.
+pub fn further_count(app: App) -> usize {
+    let [_, others] = divided(app);
+    others.iter().filter(|(_, readout)| !readout.hidden).count()
+}
+
 /// The readouts with their places: those in sight without *More*, and the others.
 fn divided(app: App) -> [Vec<(usize, Readout)>; 2] {
     let all: Vec<Readout> = app.read(|play| play.readouts());
@@ -64,30 +80,6 @@ fn divided(app: App) -> [Vec<(usize, Readout)>; 2] {
 
 fn list(app: App, now: ReadSignal<Vec<Readout>>, rows: Vec<(usize, Readout)>) -> HtmlDl {
     dl().child(in_portions(rows, move |(index, readout)| row(app, now, *index, readout).into()))
-}
-
-/// Signal with a value that changes with time, updated in the same frame as the curves. While the run plays it is
-/// updated only if `element` is in sight.
-pub fn followed<T: Clone + Default + PartialEq>(
-    app: App,
-    element: &web_sys::Element,
-    mut read: impl FnMut(&mut Play) -> T + 'static,
-) -> ReadSignal<T> {
-    let seen = in_sight(element);
-    let now = create_signal(T::default());
-    effect(move || {
-        app.changes.transport.track();
-        app.changes.parameters.track();
-        if !seen.get() && app.read(|play| play.time_line().is_playing()) {
-            return;
-        }
-        app.changes.frame.track();
-        let read = app.read(&mut read);
-        if now.with_untracked(|now| *now != read) {
-            now.set(read);
-        }
-    });
-    *now
 }
 
 /// A row: name and symbol, the member fields, the value. A value that a question asks for is not listed.

@@ -1,6 +1,7 @@
 //! Recurring elements of the views: buttons, switches, fields, tables, dialogs.
 
 pub(crate) mod colours;
+pub mod followed;
 pub mod icons;
 pub(crate) mod portions;
 pub mod sight;

@@ -21,6 +21,7 @@ pub mod ruler;
 mod runs;
 pub(crate) mod sound;
 mod stopwatch;
+pub(crate) mod tiles;
 pub(crate) mod transport;
 
 pub use narrow::NARROW;

@@ -1,9 +1,10 @@
-//! The plots, with buttons to show and hide them.
+//! The plots, with tiles to show and hide them.
 
 use super::pinned::Pinned;
 use super::pins;
-use super::{gestures, legend, plot, plot_tools, runs};
+use super::{gestures, legend, plot, plot_tools, runs, tiles};
 use crate::app::App;
+use crate::pieces::followed::followed;
 use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
 use play::{PagePart, PlotId, PlotView};
@@ -12,33 +13,34 @@ use web_sys::Element;
 /// All plots, with buttons to show and hide them.
 pub fn view(app: App) -> View {
     let words = app.words();
-    let mut plots = app.read(|play| play.plots().list());
-    plots.retain(|plot| !plot.apart);
+    let plots = tiles::plots(app);
+    let further: Vec<PlotId> = tiles::further(app).iter().map(|plot| plot.id).collect();
     let shown = move |id: PlotId| is_in_sight(app, id);
     let offered = move |id: PlotId| app.plot(id).is_some_and(|plot| plot.offered);
     let count = plots.len();
     let hides = app.host().embedding().hides(PagePart::Plots);
     let bar = Toolbar::new();
+    let mut tiled = div().class("chips tiles").role("group").attr("aria-label", words.plots_shown);
+    let now = followed(app, &tiled.node(), |play| play.readouts());
     let switch = |plot: &PlotView| {
         let id = plot.id;
-        let turn = move |_| {
-            let shown = app.plot(id).is_some_and(|plot| plot.shown);
-            // In a narrow window, the buttons select the only plot shown.
-            let narrow = app.narrow.get_untracked();
-            if narrow {
-                app.front_plot.set(Some(id));
-            }
-            app.act(|play| play.change_plots(|plots, _| plots.show(id, narrow || !shown)));
-        };
+        let waits = further.contains(&id);
+        // Once it has been shown, a press hides it, and the next one shows it again.
+        let mut has_been_shown = false;
+        let waits = memo(move || {
+            has_been_shown |= shown(id);
+            waits && !has_been_shown && !app.narrow.get()
+        });
         button()
-            .class("chip")
+            .class("chip tile")
             .id(format!("show-plot-{id}"))
             .tabindex(move || bar.stop(id.place()))
             .when(events::focus, move |_| bar.enter(id.place()))
             .attr("aria-pressed", move || shown(id).to_string())
-            .hidden(move || !offered(id))
-            .when(events::click, turn)
-            .child(plot.title.clone())
+            .hidden(move || !offered(id) || waits.get())
+            .when(events::click, move |_| tiles::turn(app, id))
+            .child(span().class("title").child(plot.title.clone()))
+            .child(tiles::line(app, now, plot))
     };
     let paper = |id: PlotId| figure(app, id, Box::new(move || shown(id)));
     section()
@@ -53,7 +55,7 @@ pub fn view(app: App) -> View {
                 .attr("aria-label", words.plots)
                 .when(events::keydown, Toolbar::turn)
                 .child(h2().id("plots-title").class("visually-hidden").child(words.plots))
-                .child(div().class("chips").role("group").attr("aria-label", words.plots_shown).each(&plots, switch))
+                .child(tiled.each(&plots, switch))
                 .child(
                     runs::keep_button(app)
                         .tabindex(move || bar.stop(count))

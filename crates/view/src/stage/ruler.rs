@@ -84,7 +84,7 @@ impl Parts {
 /// Puts a ruler on the drawing.
 pub fn lay(app: App, root: &SvgGraphicsElement) -> Option<Ruler> {
     let area = root.get_attribute("viewBox")?;
-    let area: Vec<f64> = area.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
+    let area: Vec<f64> = area.split([' ', ',']).filter_map(units::number::decimal).collect();
     let [left, top, width, height] = *area.as_slice() else { return None };
     let group = make("g", &[("part", "ruler")])?;
     let line = make("path", &[("fill", "none"), ("stroke", "currentColor"), ("stroke-width", "2")])?;

@@ -132,7 +132,7 @@ pub fn view(app: App) -> HtmlSection {
 }
 
 fn scrub(app: App, position: &str) {
-    let fraction = position.parse::<f64>().unwrap_or(0.0) / POSITIONS;
+    let fraction = units::number::decimal(position).unwrap_or(0.0) / POSITIONS;
     app.slide(|play| play.change_run(|line, basis| line.scrub(fraction * basis.horizon(line.course()))));
 }
 
@@ -166,7 +166,7 @@ fn speed(app: App) -> HtmlLabel {
         option().value(speed.to_string()).selected(move || chosen() == speed).child(name)
     };
     let set = move |event| {
-        if let Ok(speed) = value_of(&event).parse() {
+        if let Some(speed) = units::number::decimal(&value_of(&event)) {
             app.act(|play| play.change_run(|line, _| line.set_speed(speed)));
         }
     };

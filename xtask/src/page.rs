@@ -22,7 +22,7 @@
 
 use crate::wasm::{self, Host};
 use crate::{editor, element, steps};
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use base64::Engine as _;
 use document::page::{self, Source};
 use flate2::{Compression, write::GzEncoder};
@@ -46,6 +46,9 @@ const PLACE: &str = "<div id=\"lab\"";
 
 /// Number of iterations of zopfli; more do not make the page smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
+
+/// Greatest size of the scripts of the element beside the player, gzipped, in bytes.
+const LARGEST_ELEMENT: usize = 4_000;
 
 /// A page to be built.
 struct Kind {
@@ -144,14 +147,18 @@ fn package(player: &Bound, laboratory: &Bound) -> Result<()> {
     let style = style(KINDS[0].package, KINDS[0].styles)? + &font(&source)?;
     let texts: Vec<(&str, &[u8])> =
         player.texts.iter().map(|(language, packed)| (language.tag(), packed.as_slice())).collect();
-    element::write(&element::Parts {
+    let own = element::write(&element::Parts {
         scripts: &[&player.glue, &boot, "textsArrived();\n"],
         first_script,
         style: &style,
         module: &player.packed,
         texts: &texts,
         laboratory: (&laboratory.glue, &laboratory.packed),
-    })
+    })?;
+    let size = gzip(own.as_bytes())?.len();
+    println!("the element: {size} bytes gzipped");
+    ensure!(size <= LARGEST_ELEMENT, "the element is larger than {LARGEST_ELEMENT} bytes");
+    Ok(())
 }
 
 /// Generates the JavaScript of a module and compresses the module.

@@ -1,7 +1,7 @@
 //! All checks of the project, ordered so that quick ones fail first and nothing is built twice.
 
 use crate::steps::{cargo, run, step};
-use crate::{golden, needs, page, python, steps, tools};
+use crate::{docs, golden, needs, page, python, steps, tools};
 use anyhow::Result;
 use std::process::Command;
 
@@ -17,6 +17,7 @@ pub fn all() -> Result<()> {
         step("the page", page::build)?;
         lints.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })?;
+    step("the documentation", || docs::build().map(drop))?;
     step("unit and integration tests", tests)?;
     step("the class server before Postgres", postgres)?;
     step("golden runs in WebAssembly", golden::compare)?;

@@ -7,13 +7,10 @@
 //! | `texts-LANGUAGE.bin` | its texts | in that language |
 //! | `compiler.js`, `laboratory.bin` | the laboratory's module in a worker | to compile a text |
 
-use crate::{editor, page, steps};
+use crate::{editor, steps};
 use anyhow::{Context, Result, ensure};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Greatest size of the script of the element, gzipped, in bytes.
-const LARGEST: usize = 4_000;
 
 /// Place of the page of a frame in the script of the element.
 const PLACE: &str = "\"<!--player-->\"";
@@ -40,11 +37,11 @@ pub fn folder() -> PathBuf {
     steps::page().with_file_name("npm")
 }
 
-/// Writes the package.
+/// Writes the package. Returns what a page loads for the element beside the player.
 ///
 /// # Errors
-/// The element is larger than it may be, or a file cannot be read or written.
-pub fn write(parts: &Parts<'_>) -> Result<()> {
+/// A file cannot be read or written.
+pub fn write(parts: &Parts<'_>) -> Result<String> {
     let (source, folder) = (steps::root().join("crates/player/element"), folder());
     if folder.exists() {
         fs::remove_dir_all(&folder)?;
@@ -58,9 +55,6 @@ pub fn write(parts: &Parts<'_>) -> Result<()> {
     ensure!(element.contains(PLACE), "crates/player/element/meniscus.js must contain {PLACE}");
     let element = element.replace(PLACE, &serde_json::to_string(&frame(&source, parts)?)?);
     let first = script("frame.js")?;
-    let size = page::gzip([element.as_bytes(), first.as_bytes()].concat().as_slice())?.len();
-    page::ensure_small("the element", size, LARGEST)?;
-    println!("the element: {size} bytes gzipped");
     save("meniscus.js", element.as_bytes())?;
     save("frame.js", [first.trim_end(), "\n", parts.first_script].concat().as_bytes())?;
     save("player.js", parts.scripts.concat().as_bytes())?;
@@ -75,7 +69,8 @@ pub fn write(parts: &Parts<'_>) -> Result<()> {
     save("meniscus.d.ts", &fs::read(source.join("meniscus.d.ts"))?)?;
     save("README.md", &fs::read(steps::root().join("docs/element.md"))?)?;
     save("LICENSE", &fs::read(steps::root().join("LICENSE"))?)?;
-    save("package.json", &description(&source)?)
+    save("package.json", &description(&source)?)?;
+    Ok(element + &first)
 }
 
 /// The page of a frame, whose addresses begin with `@/`.

@@ -2,6 +2,7 @@
 
 mod bench;
 mod checks;
+mod docs;
 mod editor;
 mod element;
 mod golden;
@@ -25,6 +26,7 @@ use std::process::ExitCode;
 const HELP: &str = "\
 cargo xtask lab     build the page and open the laboratory in the browser; `lab DOC` builds the program, too, and serves DOC
 cargo xtask page    build the pages: target/page/meniscus.html, and the player that exported pages are made of
+cargo xtask docs    build the documentation as a site, target/page/docs, with the page that was built last
 cargo xtask test    run every check: format, lints, tests, golden runs, the page in browsers; `test full`
                     also the long ones: the class server under load and killed, the Python package
 cargo xtask python  build the Python package, target/python/wheel, and the one for Pyodide, and test both
@@ -57,6 +59,7 @@ fn perform(arguments: &[String]) -> Result<()> {
         ["page"] => needs::provide(needs::PAGE)
             .and_then(|()| steps::step("the page", page::build))
             .map(|page| println!("{}", page.display())),
+        ["docs"] => steps::step("the documentation", docs::build).map(|site| println!("{}", site.display())),
         ["test"] => checks::all(),
         ["test", "full"] => checks::full(),
         ["python"] => steps::step("the Python package", python::test),

@@ -50,6 +50,9 @@ const MOST_BEFORE_PICTURE: usize = 600_000;
 /// Number of iterations of zopfli; more do not make the page smaller.
 const SEARCHES: NonZeroU64 = NonZeroU64::MIN.saturating_add(14);
 
+/// Greatest size of the scripts of the element beside the player, gzipped, in bytes.
+const LARGEST_ELEMENT: usize = 4_000;
+
 /// A page to be built.
 struct Kind {
     /// Name of its package.
@@ -162,14 +165,17 @@ fn package(player: &Bound, laboratory: &Bound) -> Result<()> {
     let style = style(KINDS[0].package, KINDS[0].styles)? + &font(&source)?;
     let texts: Vec<(&str, &[u8])> =
         player.texts.iter().map(|(language, packed)| (language.tag(), packed.as_slice())).collect();
-    element::write(&element::Parts {
+    let own = element::write(&element::Parts {
         scripts: &[&player.glue, &boot, "textsArrived();\n"],
         first_script,
         style: &style,
         module: &player.packed,
         texts: &texts,
         laboratory: (&laboratory.glue, &laboratory.packed),
-    })
+    })?;
+    let size = gzip(own.as_bytes())?.len();
+    println!("the element: {size} bytes gzipped");
+    ensure_small("the element", size, LARGEST_ELEMENT)
 }
 
 /// Generates the JavaScript of a module, and compresses the module in the order of functions that suits this.

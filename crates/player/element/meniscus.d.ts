@@ -44,8 +44,6 @@ export class MeniscusSimulation extends HTMLElement {
   parameters: Record<string, Value>;
   /** Text of the document, in place of an address. */
   text: string;
-  /** A whole page that plays a simulation, as `meniscus export` writes it. */
-  set page(page: string);
   addEventListener<K extends keyof MeniscusEvents>(type: K, listener: (event: MeniscusEvents[K]) => void, options?: boolean | AddEventListenerOptions): void;
   addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
 }

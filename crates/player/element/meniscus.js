@@ -65,7 +65,7 @@ const sight = once(
 export class MeniscusSimulation extends HTMLElement {
   static observedAttributes = ["src", "inline", "parameters", "show", "lock", "language"];
   #frame;
-  #given;
+  #text;
   #wanted = {};
   #values = {};
   #isReady = false;
@@ -108,16 +108,12 @@ export class MeniscusSimulation extends HTMLElement {
 
   /** Text of the document, in place of an address. */
   get text() {
-    return this.#given?.text ?? "";
+    return this.#text ?? "";
   }
 
   set text(text) {
-    this.#give({ text });
-  }
-
-  /** A whole page that plays a simulation, as `meniscus export` writes it: it needs none of the files beside this one. */
-  set page(page) {
-    this.#give({ page });
+    this.#text = text;
+    this.#renew();
   }
 
   // Called by the observer of what is in sight.
@@ -130,11 +126,6 @@ export class MeniscusSimulation extends HTMLElement {
   // Room for a simulation that is not there yet, so that those behind it are out of sight.
   #reserve(height) {
     this.style.minHeight = height;
-  }
-
-  #give(given) {
-    this.#given = given;
-    this.#renew();
   }
 
   #renew() {
@@ -153,36 +144,30 @@ export class MeniscusSimulation extends HTMLElement {
   async #begin() {
     const begun = (this.#begun = Math.random());
     try {
-      const { page, text = this.hasAttribute("inline") ? (this.querySelector("script") ?? this).textContent : undefined } = this.#given ?? {};
+      const text = this.#text ?? (this.hasAttribute("inline") ? (this.querySelector("script") ?? this).textContent : undefined);
       const src = this.getAttribute("src");
-      if (!page && text === undefined && !src) return;
-      const { bundle, findings } = page ? {} : await (text === undefined ? simulation(new URL(src, document.baseURI)) : compiled(text));
+      if (text === undefined && !src) return;
+      const { bundle, findings } = await (text === undefined ? simulation(new URL(src, document.baseURI)) : compiled(text));
       if (begun !== this.#begun) return;
       if (findings) this.#say("findings", findings);
       // The last simulation that could be compiled stays.
-      if (page || bundle) this.#play(page, bundle);
+      if (bundle) this.#play(bundle);
       else if (!this.#frame) throw new Error(findings.map(({ line, message }) => `${line}: ${message}`).join("\n"));
     } catch (error) {
       if (begun === this.#begun) this.#fail(error);
     }
   }
 
-  #play(page, bundle) {
+  #play(bundle) {
     const frame = document.createElement("iframe");
     const shown = this.getAttribute("show")?.split(/[\s,]+/) ?? PARTS.slice(1);
     const language = this.getAttribute("language");
     const options = `?height=content&hide=${PARTS.filter((part) => !shown.includes(part))}${this.hasAttribute("lock") ? "&lock" : ""}${language ? `&language=${language}` : ""}`;
-    const root = `data-options="${escaped(options)}"`;
     frame.title = this.title || "Meniscus";
     frame.style.cssText = `width:100%;height:${HEIGHT};border:0;display:block`;
-    if (page) {
-      frame.setAttribute("sandbox", "allow-scripts allow-downloads");
-      frame.srcdoc = page.replace("<html", `<html ${root}`);
-    } else {
-      frame.given = Promise.all([playerModule(), bundle]);
-      frame.given.catch((error) => this.#fail(error));
-      frame.srcdoc = PLAYER.replace("<html", `<html ${root}`).replaceAll("@/", at("./"));
-    }
+    frame.given = Promise.all([playerModule(), bundle]);
+    frame.given.catch((error) => this.#fail(error));
+    frame.srcdoc = PLAYER.replace("<html", `<html data-options="${escaped(options)}"`).replaceAll("@/", at("./"));
     this.#frame?.remove();
     this.#frame = frame;
     this.#isReady = false;

@@ -2,9 +2,11 @@
 
 import contextlib
 import functools
+import html
 import http.server
 import os
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
@@ -51,6 +53,12 @@ def test_a_page_has_the_document(damped):
     page = damped.page()
     assert page.startswith("<!doctype html>") and "<title>Damped oscillation</title>" in page
     assert meniscus.open(damped.text) == damped
+
+
+def test_a_document_in_a_cell_is_a_frame_with_its_page(damped):
+    shown = damped._repr_html_()
+    assert shown.startswith('<iframe title="Damped oscillation" sandbox="allow-scripts')
+    assert html.unescape(re.search(r'srcdoc="([^"]*)"', shown)[1]) == damped.page()
 
 
 def test_a_widget_has_the_parameters(damped):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import operator
 import os
@@ -104,6 +105,12 @@ class Document:
     def page(self) -> str:
         """Page that plays the document: HTML for any browser, with the source inside."""
         return asked("page", [self._opened], None)[0]
+
+    def _repr_html_(self) -> str:
+        """Frame that plays the document in a notebook, also in an exported one, without Python."""
+        title, page = (html.escape(text) for text in (self.title, self.page()))
+        style = "width: 100%; height: 640px; border: 0; display: block"
+        return f'<iframe title="{title}" sandbox="allow-scripts allow-downloads" style="{style}" srcdoc="{page}"></iframe>'
 
     def widget(self, *, height: int = 640) -> Any:
         """The document in a notebook, as a widget of ``anywidget``. Its ``parameters`` follow the sliders, and the sliders follow them.

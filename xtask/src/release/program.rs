@@ -7,6 +7,9 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// Profile of the program, in `Cargo.toml`.
+const PROFILE: &str = "program";
+
 /// Target of programs for this computer. On Linux the program is static, so that it runs on every distribution.
 pub fn host() -> Result<String> {
     let about = output(&mut steps::program("rustc", &["-vV"]))?;
@@ -23,14 +26,14 @@ pub fn needs_zig(target: &str) -> bool {
 /// Builds the program, packs it with the licences, and returns its path.
 pub fn packed(target: &str, third_party: &Path, output: &Path) -> Result<PathBuf> {
     tools::rust_target(target)?;
-    let words = ["--release", "--locked", "--package", "meniscus", "--target", target];
+    let words = ["--profile", PROFILE, "--locked", "--package", "meniscus", "--target", target];
     if needs_zig(target) {
         run(python::tool("cargo-zigbuild")?.arg("zigbuild").args(words).current_dir(steps::root()))?;
     } else {
         run(steps::cargo(&["build"]).args(words))?;
     }
     let name = if target.contains("windows") { "meniscus.exe" } else { "meniscus" };
-    let program = steps::target().join(target).join("release").join(name);
+    let program = steps::target().join(target).join(PROFILE).join(name);
     let folder = steps::target().join("release-program");
     fs::create_dir_all(&folder)?;
     let licence = steps::root().join("LICENSE");

@@ -212,7 +212,7 @@ impl Conditions {
         let (language, values) = text.split_once(';')?;
         let value = |one: &str| {
             let (name, value) = one.split_once(':')?;
-            Some((name.to_owned(), value.parse().ok()?))
+            Some((name.to_owned(), units::number::decimal(value)?))
         };
         let values = values.split(',').filter(|one| !one.is_empty()).map(value).collect::<Option<_>>()?;
         Some(Self { language: language.to_owned(), values })

@@ -41,7 +41,7 @@ test("a student chooses with the keyboard, gets a part of the credit, remarks, a
   // Nothing chosen is no answer.
   await check(student, 0);
   await graded(student, 0, "unreadable");
-  await boxes.nth(0).focus();
+  for (let back = 0; back < 4; back += 1) await student.keyboard.press("Shift+Tab");
   await student.keyboard.press("Space");
   await student.keyboard.press("Tab");
   await student.keyboard.press("Space");
@@ -60,7 +60,8 @@ test("a student chooses with the keyboard, gets a part of the credit, remarks, a
   // One of several: the arrows move the choice.
   const radios = question(student, 1).getByRole("radio");
   await radios.nth(0).focus();
-  await student.keyboard.press("Space");
+  // After a click Space is the key of the transport; Tab gives it back to the fields.
+  for (const key of ["Shift+Tab", "Tab", "Space"]) await student.keyboard.press(key);
   await student.keyboard.press("ArrowDown");
   await student.keyboard.press("Enter");
   await graded(student, 1, "right");

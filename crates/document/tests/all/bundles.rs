@@ -68,7 +68,7 @@ fn every_simulation_is_the_same_when_it_is_read_back() {
 fn damaged_bundles_are_refused() {
     let bytes = bundle::write(&faultless("utube").program).unwrap();
     assert_eq!(bundle::read(b"").unwrap_err(), bundle::BundleError::NoBundle);
-    assert_eq!(bundle::read(b"meniscus\x0d").unwrap_err(), bundle::BundleError::OtherVersion(13));
+    assert_eq!(bundle::read(b"meniscus\x0e").unwrap_err(), bundle::BundleError::OtherVersion(14));
     assert_eq!(bundle::read(&bytes[..bytes.len() - 1]).unwrap_err(), bundle::BundleError::Damaged);
     assert_eq!(bundle::read(&[&bytes[..], b"x"].concat()).unwrap_err(), bundle::BundleError::Damaged);
     // With any single wrong byte, a bundle that can be read can be run.

@@ -14,7 +14,8 @@ async function surrounded(lab) {
   await lab.go(pathToFileURL(outer).href);
   await lab.page.evaluate((text) => {
     window.heard = [];
-    window.addEventListener("message", ({ data }) => window.heard.push(data.meniscus.parameters));
+    window.runs = [];
+    window.addEventListener("message", ({ data: { meniscus: { parameters, run } } }) => (run ? window.runs.push(run) : window.heard.push(parameters)));
     const frame = document.createElement("iframe");
     frame.setAttribute("sandbox", "allow-scripts");
     frame.style.cssText = "width: 900px; height: 640px";
@@ -53,6 +54,20 @@ visit("a page around a simulation sets its parameters, and hears of each change"
   await eventually(async () => assert.deepEqual(await heard(), first));
   await say({ meniscus: { parameters: { [numbers[0]]: moved[numbers[0]] } } });
   await eventually(async () => assert.deepEqual(await heard(), { ...first, [numbers[0]]: moved[numbers[0]] }));
+});
+
+visit("a page around a simulation hears when the run starts and stops", async (lab) => {
+  const { inside, say, heard } = await surrounded(lab);
+  await say({ meniscus: { parameters: {} } });
+  await eventually(async () => (await heard()) ?? assert.fail("no answer"));
+  await inside.locator("#play").click();
+  await eventually(async () => assert.equal(await lab.page.evaluate(() => window.runs.at(-1)?.status), "playing"));
+  await inside.locator("#play").click();
+  await eventually(async () => {
+    const [{ status }, last] = await lab.page.evaluate(() => [window.runs[0], window.runs.at(-1)]);
+    assert.deepEqual([status, last.status], ["paused", "paused"]);
+    assert.ok(last.time > 0);
+  });
 });
 
 for (const nonsense of [null, "meniscus", { meniscus: null }, { meniscus: { parameters: 5 } }, { meniscus: { parameters: { __proto__: 1, constructor: 2, "": 3 } } }]) {

@@ -12,7 +12,6 @@ use view::page::opening::{self, Handed, Opening};
 use view::panel::{self, Tab};
 use view::views::*;
 use view::{App, browser, page::header, page::shell, page::texts, page::welcome, panel::tabs, stage};
-use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
 
 /// Key prefix of the state in which the laboratory left a document.
@@ -23,24 +22,17 @@ pub fn open(opening: Opening) {
     let Some(place) = browser::by_id::<HtmlElement>("lab") else { return };
     let embedding = shell::embedding();
     let language = shell::language(&embedding);
-    texts::when_there(texts::PLAYER, language, move || {
-        wasm_bindgen_futures::spawn_local(show(place, embedding, language, opening));
-    });
+    texts::when_there(texts::PLAYER, language, move || show(place, embedding, language, opening));
 }
 
-/// Makes the page in several tasks, shows it when it is whole, and offers its simulation to the laboratory.
-async fn show(place: HtmlElement, embedding: Embedding, language: Language, opening: Opening) {
-    let play = simulation::of_page();
-    browser::breathe().await;
+/// Shows the page, and offers its simulation to the laboratory.
+fn show(place: HtmlElement, embedding: Embedding, language: Language, opening: Opening) {
+    place.set_inner_html("");
     let opening = Rc::new(opening);
-    let own: HtmlElement = place.clone_node().map_or_else(|_| place.clone(), JsCast::unchecked_into);
-    let mut made = None;
     let mut shown = None;
     let root = create_root(|| {
         let view = || {
-            let (app, simulation, runs) = simulation::open(Simulation::of_laboratory(embedding), play, language);
-            let panel_is_due = create_signal(false);
-            made = Some((app, panel_is_due));
+            let (app, simulation, runs) = simulation::open(Simulation::of_laboratory(embedding), language);
             // Set here for the first time, so this cannot fail.
             let _ = simulation.app.set(app);
             restore(app, &opening);
@@ -48,22 +40,15 @@ async fn show(place: HtmlElement, embedding: Embedding, language: Language, open
             opening::keep_tab(app);
             shown = runs.then_some((app, simulation));
             let opening = opening.clone();
-            shell::view(app, move || if runs { content(app, &opening, panel_is_due) } else { damaged(app) })
+            shell::view(app, move || if runs { content(app, &opening) } else { damaged(app) })
         };
-        sycamore_web::render_in_scope(view, &own);
+        sycamore_web::render_in_scope(view, &place);
     });
-    browser::breathe().await;
-    if let Some((app, panel_is_due)) = made {
-        app.within(|| panel_is_due.set(true));
-        browser::breathe().await;
-        let _ = place.replace_with_with_node_1(&own);
-        app.wake();
-    }
     let give = shown.map(|(app, simulation)| {
         move || {
             let handed = Handed::of(app);
             opening::end(app);
-            own.set_inner_html("");
+            place.set_inner_html("");
             root.dispose();
             simulation.play.replace(None);
             handed
@@ -82,34 +67,22 @@ fn restore(app: App, opening: &Opening) {
     }
 }
 
-/// The content; the panel comes once it is due.
-fn content(app: App, opening: &Rc<Opening>, panel_is_due: Signal<bool>) -> View {
-    let for_panel = opening.clone();
-    let panel = move || if panel_is_due.get() { panel(app, &for_panel) } else { View::new() };
+fn content(app: App, opening: &Rc<Opening>) -> View {
+    let ask = |opening: &Rc<Opening>| {
+        let opening = opening.clone();
+        move || opening.ask("")
+    };
     let press = |button: HtmlButton, id: &'static str| {
         let opening = opening.clone();
         button.when(events::click, move |_| opening.ask(id))
     };
+    let words = app.words();
     let own = View::from((
         press(header::browse(app), "browse"),
         press(header::publish(app), "share"),
         press(header::everything(app), "everything"),
     ));
     let in_menu = View::from(press(header::open(app), "open"));
-    let body = main().class("laboratory").child(stage::view(app)).child(changing(panel));
-    let asking = opening.clone();
-    let line =
-        welcome::is_home(opening).then(|| welcome::line(app, welcome::is_first_visit(), move |id| asking.ask(id)));
-    View::from((header::view(app, line.map_or_else(View::new, View::from), own, in_menu), body))
-}
-
-/// The panel with the tabs of the laboratory, which ask for it.
-fn panel(app: App, opening: &Rc<Opening>) -> View {
-    let ask = |opening: &Rc<Opening>| {
-        let opening = opening.clone();
-        move || opening.ask("")
-    };
-    let words = app.words();
     let later = |tab: Tab| tab.waiting(app, ask(opening));
     let tabs = vec![
         Tab::explore(app),
@@ -119,5 +92,10 @@ fn panel(app: App, opening: &Rc<Opening>) -> View {
         later(Tab::lasting(tabs::WRITE, words.tab_write, View::new)),
         later(Tab::lasting(tabs::CLASS, words.tab_class, View::new)),
     ];
-    panel::view(app, panel::shown(app, tabs)).into()
+    let panel = panel::view(app, panel::shown(app, tabs));
+    let body = main().class("laboratory").child(stage::view(app)).child(panel);
+    let asking = opening.clone();
+    let line =
+        welcome::is_home(opening).then(|| welcome::line(app, welcome::is_first_visit(), move |id| asking.ask(id)));
+    View::from((header::view(app, line.map_or_else(View::new, View::from), own, in_menu), body))
 }

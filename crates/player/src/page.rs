@@ -30,7 +30,7 @@ pub fn start() {
 fn show(place: &HtmlElement, embedding: Embedding, language: Language) {
     place.set_inner_html("");
     let page = move || {
-        let (app, simulation, runs) = simulation::open(Simulation::new(embedding), simulation::of_page(), language);
+        let (app, simulation, runs) = simulation::open(Simulation::new(embedding), language);
         // Answers in this browser may be those of another student of the course.
         if simulation.course.is_none() {
             answers::restore(app);

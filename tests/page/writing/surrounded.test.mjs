@@ -61,7 +61,8 @@ visit("a page around a simulation hears when the run starts and stops", async (l
   await say({ meniscus: { parameters: {} } });
   await eventually(async () => (await heard()) ?? assert.fail("no answer"));
   await inside.locator("#play").click();
-  await eventually(async () => assert.equal(await lab.page.evaluate(() => window.runs.at(-1)?.status), "playing"));
+  await eventually(async () => assert.ok((await lab.page.evaluate(() => window.runs.map(({ status }) => status))).includes("playing"), JSON.stringify(await lab.page.evaluate(() => window.runs))));
+  await eventually(async () => assert.ok(parseFloat(await inside.locator("#clock").innerText()) > 0.1));
   await inside.locator("#play").click();
   await eventually(async () => {
     const [{ status }, last] = await lab.page.evaluate(() => [window.runs[0], window.runs.at(-1)]);

@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by them")]
 
-mod answers;
 mod buttons;
 mod choosing;
 mod claims;
@@ -14,11 +13,11 @@ mod dragging;
 mod drawings;
 mod ending;
 mod history;
-mod kinds;
 mod legends;
 mod members;
 mod plots;
 mod profiles;
+mod questions;
 mod replacement;
 mod scores;
 mod seats;

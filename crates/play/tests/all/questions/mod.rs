@@ -1,0 +1,4 @@
+//! Questions: answers, their grades, and kinds of questions.
+
+mod answers;
+mod kinds;

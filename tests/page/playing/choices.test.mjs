@@ -18,6 +18,7 @@ visit("a liquid is chosen, drag is ticked off, and defaults and undo bring both 
   assert.deepEqual(await liquids(lab).getByRole("button").allInnerTexts(), ["Water", "Glycerine"]);
   assert.equal(await drag.isChecked(), true);
   await liquids(lab).getByRole("button", { name: "Glycerine" }).click();
+  await lab.drawn();
   await drag.focus();
   await lab.page.keyboard.press("Space");
   assert.equal(await drag.isChecked(), false);
@@ -33,6 +34,7 @@ visit("a liquid is chosen, drag is ticked off, and defaults and undo bring both 
 visit("a link carries what is chosen, in words", async (lab) => {
   await ball(lab);
   await liquids(lab).getByRole("button", { name: "Glycerine" }).click();
+  await lab.drawn();
   await lab.page.getByLabel("With drag").uncheck();
   assert.match(await lab.copyLink(), /[Ll]ink/);
   const address = decodeURIComponent(lab.page.url());

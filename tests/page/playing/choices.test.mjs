@@ -19,6 +19,8 @@ visit("a liquid is chosen, drag is ticked off, and defaults and undo bring both 
   assert.equal(await drag.isChecked(), true);
   await liquids(lab).getByRole("button", { name: "Glycerine" }).click();
   await lab.drawn();
+  // After a press Space plays; whoever comes with Tab uses what has the focus.
+  await lab.page.keyboard.press("Tab");
   await drag.focus();
   await lab.page.keyboard.press("Space");
   assert.equal(await drag.isChecked(), false);

@@ -27,7 +27,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
     ("Write", &["language"]),
     ("Measure", &["data", "films"]),
     ("Publish and teach", &["publishing", "element", "courses", "class", "administration"]),
-    ("Compute and develop", &["python", "assistants", "extending"]),
+    ("Compute and develop", &["python", "assistants", "extending", "debugging"]),
 ];
 
 /// Pages that are translations: name and language.

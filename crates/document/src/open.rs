@@ -40,7 +40,7 @@ enum Progress {
     /// The structure is read.
     Outlined,
     /// The model is checked.
-    Checked(Option<Checked>),
+    Checked(Option<Box<Checked>>),
     /// All blocks but those of prose are read.
     Compiled(Option<Box<Blocks>>),
     /// The document is read.
@@ -57,9 +57,9 @@ impl<'a> Opening<'a> {
     /// Reads and checks the next part: the model, plots and scene, prose and questions, then each translation. False if all are read.
     pub fn advance(&mut self) -> bool {
         self.progress = match std::mem::replace(&mut self.progress, Progress::Outlined) {
-            Progress::Outlined => Progress::Checked(self.file.own_model()),
+            Progress::Outlined => Progress::Checked(self.file.own_model().map(Box::new)),
             Progress::Checked(checked) => {
-                Progress::Compiled(checked.map(|checked| Box::new(self.file.blocks(checked))))
+                Progress::Compiled(checked.map(|checked| Box::new(self.file.blocks(*checked))))
             }
             Progress::Compiled(blocks) => Progress::Read(blocks.map(|blocks| Box::new(self.file.read(*blocks)))),
             Progress::Read(mut read) => {

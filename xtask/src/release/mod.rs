@@ -3,6 +3,7 @@
 //! | file | made by |
 //! |---|---|
 //! | `meniscus.html`, `site.tar.gz` | `page.rs`, `meniscus build` |
+//! | `documentation.tar.gz`, `element.tgz` | `docs`, `element.rs`: the npm package, as `npm publish` takes it |
 //! | `meniscus-TARGET.tar.gz` | cargo, or cargo-zigbuild for another system |
 //! | `meniscus-class-amd64.tar` | `image.rs`, for Linux |
 //! | wheel, source distribution | maturin |
@@ -19,7 +20,7 @@ mod sums;
 mod version;
 
 use crate::steps::{self, run, step};
-use crate::{page, python};
+use crate::{docs, element, page, python};
 use anyhow::{Result, ensure};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -44,6 +45,8 @@ pub fn make(output: &str, target: Option<&str>) -> Result<()> {
     if target.is_none() {
         fs::copy(page, output.join("meniscus.html"))?;
         step("the site", || site(&program, &output))?;
+        step("the documentation", || packed(&docs::build()?, &output.join("documentation.tar.gz")))?;
+        step("the npm package", || npm_package(&output))?;
         step("the source distribution", || python::source(&output))?;
         fs::write(output.join("notes.md"), notes)?;
     }
@@ -62,8 +65,26 @@ fn site(program: &Path, output: &Path) -> Result<()> {
         fs::remove_dir_all(&site)?;
     }
     run(Command::new(program).args(["build", "simulations", "--output"]).arg(&site).current_dir(steps::root()))?;
-    let names = files(&site)?;
-    archive::write(&site, &names, &output.join("site.tar.gz"))
+    packed(&site, &output.join("site.tar.gz"))
+}
+
+/// The package of the element, which npm wants in a folder of this name.
+fn npm_package(output: &Path) -> Result<()> {
+    let folder = steps::target().join("release-npm");
+    let package = folder.join("package");
+    if folder.exists() {
+        fs::remove_dir_all(&folder)?;
+    }
+    fs::create_dir_all(&package)?;
+    for name in files(&element::folder())? {
+        fs::copy(element::folder().join(&name), package.join(&name))?;
+    }
+    packed(&folder, &output.join("element.tgz"))
+}
+
+/// Packs a folder.
+fn packed(folder: &Path, archive: &Path) -> Result<()> {
+    archive::write(folder, &files(folder)?, archive)
 }
 
 /// Paths of the files below a folder, from there, sorted.

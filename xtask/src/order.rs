@@ -96,7 +96,8 @@ impl Reencode for Reordered {
 /// Numbers of the functions in the order in which they compress well. `bodies`: the code of each.
 fn order(bodies: &[&[u8]]) -> Vec<usize> {
     let (sequences, owners) = common_sequences(bodies);
-    let weights: Vec<f64> = bodies.iter().map(|body| (body.len() as f64 + 20.0).powf(-LENGTH_POWER)).collect();
+    let weights: Vec<f64> =
+        bodies.iter().map(|body| elementary::pow(body.len() as f64 + 20.0, -LENGTH_POWER)).collect();
     // Number of sequences of each function that stand in reach, and for each sequence how many functions in reach have it.
     let (mut common, mut in_reach) = (vec![0_u32; bodies.len()], vec![0_u32; owners.len()]);
     let (mut reach, mut length) = (VecDeque::new(), 0);

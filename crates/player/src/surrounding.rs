@@ -102,7 +102,7 @@ fn answer(play: &Play, question: usize, number: usize) -> Object {
     let (typed, grade) =
         attempts.get(number).map_or_else(Default::default, |attempt| (attempt.typed.clone(), attempt.grade().code()));
     let question = JsValue::from((question + 1) as f64);
-    object(&[("question", question), ("typed", typed.into()), ("grade", grade.into())])
+    object(&[("question", question), ("typed", typed.into()), ("grade", grade.as_ref().into())])
 }
 
 /// Object with these members.

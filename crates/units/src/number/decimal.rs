@@ -254,7 +254,7 @@ mod tests {
             is_same(text);
         }
         // The middle between two doubles, exactly and with a digit far behind.
-        let middle = format!("{:.200}", 1.0 + 2f64.powi(-52)).trim_end_matches('0').to_owned();
+        let middle = format!("{:.200}", 1.0 + f64::EPSILON).trim_end_matches('0').to_owned();
         for end in ["", "0001", "5"] {
             is_same(&format!("{middle}{end}"));
             is_same(&format!("1.00000000000000011102230246251565404236316680908203125{}{end}", "0".repeat(900)));

@@ -1,11 +1,13 @@
 //! Controls for switches (check box) and choices: chips, or a drop-down list where there are many.
 
-use super::CHIPS;
 use crate::app::App;
 use crate::pieces::symbols::name_and_symbol;
 use crate::pieces::toolbar::Toolbar;
 use crate::views::*;
 use play::{ChoiceView, ParameterView};
+
+/// Maximum number of choices or presets with a chip each. More are offered as a list.
+pub const CHIPS: usize = 5;
 
 /// Control of a switch or a choice.
 pub fn control(app: App, first: ParameterView) -> HtmlDiv {

@@ -17,9 +17,6 @@ use crate::{page::everything, scene::drawings};
 use play::{MethodView, ParameterGroup, Play, PresetGroup, PresetView, StateView};
 use web_sys::HtmlDetailsElement;
 
-/// Maximum number of presets of a group with a button each. More are offered as a list.
-const CHIPS: usize = 5;
-
 /// Maximum number of parameters in sight without *More*.
 const MAIN: usize = 3;
 
@@ -190,7 +187,7 @@ fn presets(app: App, further: bool) -> View {
     let group = |(number, group): (usize, PresetGroup)| -> View {
         let id = format!("presets-{number}");
         let name = if group.name.is_empty() { words.presets.to_owned() } else { group.name };
-        if group.presets.len() <= CHIPS {
+        if group.presets.len() <= choices::CHIPS {
             let bar = Toolbar::new();
             let chips = div().class("chips").role("toolbar").attr("aria-labelledby", id.clone());
             let chips = chips.when(events::keydown, Toolbar::turn);

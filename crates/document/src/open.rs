@@ -90,7 +90,7 @@ impl<'a> Opening<'a> {
     }
 }
 
-/// What the blocks of a document say, without its prose and questions.
+/// Content of the blocks of a document, without its prose and questions.
 struct Blocks {
     checked: Checked,
     settings: Settings,

@@ -82,7 +82,7 @@ pub fn kept_run(language: Language, name: &str) -> String {
     say!(language, "the kept run “{name}”")
 }
 
-/// What a fold with further parameters and values holds.
+/// Numbers of parameters and values in a fold, in words.
 pub fn further(language: Language, parameters: usize, values: usize) -> String {
     match (parameters, values) {
         (0, values) => say!(language, "{values} values"),

@@ -179,7 +179,7 @@ fn list(page: &Page, pages: &[Page]) -> String {
     list
 }
 
-/// What the search looks through: a list of address, page, heading and words of each section.
+/// Index of the search: a list of address, page, heading and words of each section.
 fn search(pages: &[Page]) -> Result<String> {
     let sections = pages.iter().filter(|page| !page.name.contains('.')).flat_map(|page| {
         page.sections.iter().map(|section| {

@@ -82,7 +82,7 @@ fn digest(bytes: &[u8]) -> String {
     format!("sha256:{sum}")
 }
 
-/// What is started, as whom and where. `unpacked` has the sums of the layers before compression.
+/// Program that the image starts, its user and its folder. `unpacked` has the sums of the layers before compression.
 fn config(target: &str, unpacked: &[String]) -> Value {
     json!({
         "architecture": architecture(target),

@@ -3,7 +3,7 @@
 use analysis::csv::Dialect;
 use class::collection::{Collection, Work};
 use class::grading::GivenAnswer;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use units::{Language, say};
 
 /// Marks of a question that is answered fully.
@@ -12,11 +12,9 @@ const FULL: f64 = 100.0;
 /// CSV with a row for each hand-in that counts: name, seat, marks of each question from 0 to 100, and their mean over all questions. The
 /// cell of a question without an attempt is empty; it counts 0 in the mean. Questions of several documents are named with the title.
 pub fn gradebook(class: &Collection, language: Language) -> String {
-    let mut questions: BTreeMap<(&str, usize), ()> = BTreeMap::new();
-    for answer in class.works().flat_map(|(_, work)| &work.answers) {
-        questions.insert((&answer.document, answer.question), ());
-    }
-    let questions: Vec<(&str, usize)> = questions.into_keys().collect();
+    let answers = class.works().flat_map(|(_, work)| &work.answers);
+    let questions: BTreeSet<(&str, usize)> =
+        answers.map(|answer| (answer.document.as_str(), answer.question)).collect();
     let is_one_document =
         questions.iter().all(|(document, _)| questions.first().is_some_and(|(first, _)| first == document));
     let mut text = String::new();

@@ -11,7 +11,7 @@
 use crate::controls::hold::Hold;
 use crate::controls::start::Start;
 use crate::number;
-use program::{Child, Drag, Dragged, Element, Piece, Program};
+use program::{Child, Drag, Dragged, Element, Piece, Program, Scene};
 use units::{Dimension, Unit};
 
 use super::Grips;
@@ -202,18 +202,5 @@ fn collect_shaping(element: &Element, indices: &mut Vec<usize>) {
 
 /// Width and height of the scene in scene units; unlimited without a view box.
 fn extent(program: &Program, language: &str) -> (f64, f64) {
-    let unlimited = (f64::MAX, f64::MAX);
-    let Some(scene) = program.scene(language) else {
-        return unlimited;
-    };
-    let view_box = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox");
-    let Some([Piece::Literal(text)]) = view_box.map(|attribute| attribute.value.as_slice()) else {
-        return unlimited;
-    };
-    let numbers: Vec<f64> =
-        text.split([' ', ',']).filter(|part| !part.is_empty()).filter_map(units::number::decimal).collect();
-    match numbers.as_slice() {
-        [_, _, width, height] if *width > 0.0 && *height > 0.0 => (*width, *height),
-        _ => unlimited,
-    }
+    program.scene(language).and_then(Scene::size).map_or((f64::MAX, f64::MAX), Into::into)
 }

@@ -22,7 +22,7 @@ pub fn main(app: App) -> HtmlSection {
     let class = if all_are { "readouts card on-tiles" } else { "readouts card" };
     let mut readouts = part("readouts", class, app.words().readouts);
     let now = followed(app, &readouts.node(), |play| play.readouts());
-    // What stands on a tile above the plot is here for screen readers, and where tiles have no room.
+    // Values on tiles above the plot stand here for screen readers, and where tiles have no room.
     let rows = dl().each(main, |(index, readout)| {
         let row = row(app, now, index, &readout);
         if is_on_tile(&readout) { row.class("on-tile") } else { row }

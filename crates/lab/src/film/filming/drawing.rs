@@ -51,10 +51,7 @@ impl Drop for Drawing {
 /// Pixels of the picture per unit of the scene.
 pub fn pixels(play: &Play) -> Option<f64> {
     let scene = play.program().scene(play.basis().tag())?;
-    let area = scene.root.attributes.iter().find(|attribute| attribute.name == "viewBox")?;
-    let [Piece::Literal(area)] = area.value.as_slice() else { return None };
-    let area: Vec<f64> = area.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
-    let [_, _, width, height] = *area.as_slice() else { return None };
+    let [width, height] = scene.size()?;
     let pixels = (PLACE[2] / width).min(PLACE[3] / height);
     (pixels > 0.0 && pixels.is_finite()).then_some(pixels)
 }

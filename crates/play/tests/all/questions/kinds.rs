@@ -160,7 +160,7 @@ fn an_answer_keeps_its_credit_in_every_stored_form() {
     forged.attempts[0] = Attempt { grade: Grade::Correct, ..forged.attempts[0].clone() };
     assert!(fresh.change_answers(|answers, run| answers.restore(run, name, &forged)));
     assert_eq!(fresh.answers().answer(fresh.basis(), 0).credit, 0.5);
-    // What was typed when the question asked for a number is no choice.
+    // A number that was typed before the question became a choice names no option.
     forged.attempts[0].typed = "3.76 s".to_owned();
     assert!(fresh.change_answers(|answers, run| answers.restore(run, name, &forged)));
     assert_eq!(fresh.answers().answer(fresh.basis(), 0).credit, 0.0);
